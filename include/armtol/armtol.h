@@ -1,0 +1,28 @@
+#ifndef ARMTOL_ARMTOL_H
+#define ARMTOL_ARMTOL_H
+
+/* Everything. conventions.h first: the frames, units and storage that all the others mean. */
+
+#include "armtol/conventions.h"
+#include "armtol/status.h"
+#include "armtol/errata.h"
+
+#include "armtol/link.h"
+#include "armtol/link_transform.h"
+#include "armtol/link_jacobian.h"
+#include "armtol/twist_transform.h"
+#include "armtol/error_matrix.h"
+#include "armtol/column_order.h"
+#include "armtol/bounds.h"
+#include "armtol/machining.h"
+
+#include "armtol/transform.h"
+#include "armtol/euler.h"
+#include "armtol/solve.h"
+#include "armtol/craig.h"
+#include "armtol/robots.h"
+
+/* The version of the library in use, "major.minor.patch". */
+const char *armtol_version(void);
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef ARMTOL_BOUNDS_H
+#define ARMTOL_BOUNDS_H
+
+#include "armtol/errata.h"
+#include "armtol/status.h"
+
+#include <stddef.h>
+
+/* Radii of the spheres that the errors of all lengths, and of all angles, have to stay in. */
+typedef struct armtol_bounds {
+    double distance; /* length unit */
+    double angle;    /* radians */
+} armtol_bounds;
+
+/* 0 < delta < the three linear tolerances, all six tolerances > 0, everything finite. */
+armtol_status armtol_tolerances_check(const double tolerances[6], double delta);
+
+/*
+ * The norm bounds. ordered is A with its n_lengths length columns first. tolerances are those of
+ * (dx, dy, dz, rotations about x, y, z); delta is the share of the linear ones that is kept for the errors
+ * of lengths.
+ *     angle    = least over rows i of (e_i - delta) / |row i, angle columns|, i = 0..2, and
+ *                e_i / |row i, angle columns|, i = 3..5           Hahn 1987, Eqs (4.25) to (4.28)
+ *     distance = least over rows i = 0..2 of delta / |row i, length columns|        Eq. (4.31)
+ * A row without an entry in its columns bounds nothing; a bound that no row sets is infinite.
+ * Erratum: float. Errors: those of armtol_tolerances_check; ARMTOL_WRONG_SIZE for n_lengths > n_columns.
+ */
+armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,
+                                 const double tolerances[6], double delta, const armtol_errata *errata,
+                                 armtol_bounds *bounds);
+
+#endif

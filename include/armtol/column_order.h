@@ -1,0 +1,19 @@
+#ifndef ARMTOL_COLUMN_ORDER_H
+#define ARMTOL_COLUMN_ORDER_H
+
+#include "armtol/error_matrix.h"
+
+#include <stddef.h>
+
+/*
+ * The order that puts lengths before angles: first the a of every link that also has a d; then of every link
+ * its d, or its a where it has no d; then every theta; every alpha; every beta; each group in link order.
+ * order[k] is the column that comes to place k, both have n_columns places. Returns the number of lengths.
+ * Source: the reorder tables of both programs of 1987, which this one rule gives.
+ */
+size_t armtol_column_order(const armtol_column columns[], size_t n_columns, size_t order[]);
+
+/* ordered(i, k) = matrix(i, order[k]), both 6 x n_columns. */
+void armtol_reorder(const double matrix[], size_t n_columns, const size_t order[], double ordered[]);
+
+#endif

@@ -1,0 +1,32 @@
+#ifndef ARMTOL_CRAIG_H
+#define ARMTOL_CRAIG_H
+
+#include "armtol/conventions.h"
+#include "armtol/errata.h"
+#include "armtol/link.h"
+
+#include <stddef.h>
+
+/*
+ * A link in Craig's order, T = Rot(x, alpha) Trans(a, 0, 0) Rot(z, theta) Trans(0, 0, d): the second
+ * description of an arm, that of its inverse kinematics and of the `check` lines.
+ */
+typedef struct armtol_craig_link {
+    armtol_joint joint;
+    double a;     /* of the link before */
+    double alpha; /* of the link before */
+    double d;
+    double theta;
+} armtol_craig_link;
+
+/*
+ * The transform of one link with joint value q, which is added to theta or d; q of a fixed link is ignored.
+ * Source: Craig 1986, Eq. (3.6). Erratum: float.
+ */
+armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q, const armtol_errata *errata);
+
+/* The transform of a chain; q has one value for each link that has a joint, in order. Erratum: float. */
+armtol_transform armtol_craig_chain(const armtol_craig_link links[], size_t n_links, const double q[],
+                                    const armtol_errata *errata);
+
+#endif

@@ -1,0 +1,58 @@
+#ifndef ARMTOL_ERRATA_H
+#define ARMTOL_ERRATA_H
+
+#include "armtol/status.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/*
+ * The slips of the programs of 1987. A field that is true keeps the slip, false corrects it. Each field is
+ * read in one place of the code, which carries its id; armtol_erratum_info describes it.
+ */
+typedef struct armtol_errata {
+    bool mtransf_typo;    /* mtransf-typo */
+    bool parallel_arm;    /* parallel-arm */
+    bool adept_shift;     /* adept-shift */
+    bool skew_residue;    /* skew-residue */
+    bool root_of_ratio;   /* root-of-ratio */
+    bool copied_counts;   /* copied-counts */
+    bool signed_mach;     /* signed-mach */
+    bool short_pi;        /* short-pi */
+    bool prismatic_alpha; /* prismatic-alpha */
+    bool beta_sign;       /* beta-sign */
+    bool half_turns;      /* half-turns */
+    bool base_twist;      /* base-twist */
+    bool float_storage;   /* float */
+    bool labels;          /* labels */
+} armtol_errata;
+
+extern const armtol_errata armtol_errata_1987; /* every slip kept */
+extern const armtol_errata armtol_errata_none; /* every slip corrected */
+
+typedef struct armtol_erratum_info {
+    const char *id;      /* the name that `--fix` takes */
+    const char *slip;    /* what the programs of 1987 do and what is right, one line */
+    const char *touches; /* which results show it, one line */
+} armtol_erratum_info;
+
+/* The number of errata, and the row of each: index 0 to armtol_errata_count() - 1, NULL beyond. */
+size_t armtol_errata_count(void);
+const armtol_erratum_info *armtol_erratum(size_t index);
+
+/* Whether the erratum of that index is kept; false beyond the last. */
+bool armtol_erratum_is_kept(const armtol_errata *errata, size_t index);
+
+/*
+ * Keep (true) or correct (false) the erratum of that id in *errata; "all" names every one.
+ * ARMTOL_UNKNOWN_ERRATUM where no row has it; *errata is then as it was.
+ */
+armtol_status armtol_erratum_keep(armtol_errata *errata, const char *id, bool keep);
+
+/*
+ * A value as a variable keeps it: rounded to float with the erratum `float`, as it is without. For the input
+ * of the other routines, which the programs of 1987 kept in floats too.
+ */
+double armtol_stored(const armtol_errata *errata, double value);
+
+#endif

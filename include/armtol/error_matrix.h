@@ -1,0 +1,45 @@
+#ifndef ARMTOL_ERROR_MATRIX_H
+#define ARMTOL_ERROR_MATRIX_H
+
+#include "armtol/errata.h"
+#include "armtol/link.h"
+
+#include <stddef.h>
+
+/* What a column of A stands for: one parameter of one link. */
+typedef struct armtol_column {
+    size_t link;
+    armtol_parameter parameter;
+} armtol_column;
+
+/* The number of parameters of a chain, that is, of columns of A. Links of no known kind count none. */
+size_t armtol_column_count(const armtol_link links[], size_t n_links);
+
+/*
+ * Describe the columns, links in order, the parameters of each in the order of its kind. columns has
+ * n_columns places. Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_columns is not
+ * armtol_column_count.
+ */
+armtol_status armtol_columns(const armtol_link links[], size_t n_links, armtol_column columns[],
+                             size_t n_columns);
+
+/*
+ * A, 6 x n_columns: the error twist of the tool for a unit error of each parameter of the placed links, in
+ * base coordinates. With the erratum base-twist v is the linear part of the twist, the motion of the body
+ * point that lies at the base's origin; corrected, it is the motion of the tool point.
+ * Source: Hahn 1987, the main programs. Errata: base-twist, float, and those of the stages
+ * (link_transform.h, link_jacobian.h, twist_transform.h).
+ * Errors: as of armtol_columns, A then untouched; ARMTOL_NOT_FINITE where an element overflows, A then of
+ * no use.
+ */
+armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, const armtol_errata *errata,
+                                  double matrix[], size_t n_columns);
+
+/*
+ * Move the reference point of every column of A from the base's origin to point (base coordinates), in
+ * place: v becomes v + w x point. Erratum: float.
+ */
+void armtol_refer_to_point(double matrix[], size_t n_columns, const double point[3],
+                           const armtol_errata *errata);
+
+#endif

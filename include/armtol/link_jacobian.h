@@ -1,0 +1,20 @@
+#ifndef ARMTOL_LINK_JACOBIAN_H
+#define ARMTOL_LINK_JACOBIAN_H
+
+#include "armtol/errata.h"
+#include "armtol/link.h"
+
+#include <stddef.h>
+
+/*
+ * G of one placed link: column k of its *count columns is the twist of the frame behind the link, in the
+ * coordinates of that frame, for a unit error of the k-th parameter of the link's kind. Columns beyond
+ * *count are left as they were.
+ * Source: Hahn 1987, routines gnpr, gnpp, gppr and gppp, behind one table of kinds.
+ * Errata: parallel-arm, prismatic-alpha, beta-sign, float.
+ * Error: ARMTOL_BAD_KIND.
+ */
+armtol_status armtol_link_jacobian(const armtol_link *link, const armtol_errata *errata,
+                                   double g[6][ARMTOL_PARAMETER_COUNT], size_t *count);
+
+#endif

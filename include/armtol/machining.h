@@ -1,0 +1,39 @@
+#ifndef ARMTOL_MACHINING_H
+#define ARMTOL_MACHINING_H
+
+#include "armtol/bounds.h"
+#include "armtol/errata.h"
+#include "armtol/link.h"
+
+#include <stddef.h>
+
+/* What one parameter may be off. */
+typedef struct armtol_shares {
+    double distance; /* length unit */
+    double angle;    /* radians */
+} armtol_shares;
+
+/*
+ * Each parameter's share of the bounds, of n_lengths lengths and n_angles angles: r / sqrt(n) puts the corner
+ * of a cube on the sphere of radius r. 0 for a count of 0.
+ * Source: Hahn 1987, the main programs. Errata: root-of-ratio, copied-counts, float.
+ */
+armtol_shares armtol_parameter_shares(const armtol_bounds *bounds, size_t n_lengths, size_t n_angles,
+                                      const armtol_errata *errata);
+
+/*
+ * The tolerance of the distance between the two axes of a placed link, h = sqrt(a^2 + d^2), when a and d may
+ * each be off by share:
+ *     rd = -h + sqrt(h^2 + 2 a share + 2 d share + 2 share^2).
+ * Source: Hahn 1987, Eq. (4.32), routine mach. Errata: signed-mach, float.
+ */
+double armtol_machining_distance(const armtol_link *link, double share, const armtol_errata *errata);
+
+/*
+ * The tolerance of the motor of a placed link: the angle share of a revolute joint, the machining distance
+ * (given) of a prismatic one, 0 of a fixed link. Source: Hahn 1987, the main programs.
+ */
+double armtol_motor_tolerance(const armtol_link *link, double machining_distance,
+                              const armtol_shares *shares);
+
+#endif

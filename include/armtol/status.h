@@ -1,0 +1,22 @@
+#ifndef ARMTOL_STATUS_H
+#define ARMTOL_STATUS_H
+
+typedef enum armtol_status {
+    ARMTOL_OK = 0,
+    ARMTOL_NO_LINKS,        /* a chain of no links */
+    ARMTOL_BAD_KIND,        /* a link kind that is none of armtol_kind */
+    ARMTOL_BAD_JOINT,       /* a joint variable that is none of armtol_joint */
+    ARMTOL_NOT_FINITE,      /* nan or inf among the input, or a result that overflows */
+    ARMTOL_WRONG_SIZE,      /* an array length that does not fit the chain */
+    ARMTOL_OUT_OF_REACH,    /* no joint values lead there */
+    ARMTOL_SINGULAR,        /* infinitely many joint values lead there */
+    ARMTOL_BAD_TOLERANCE,   /* a tolerance that is not positive */
+    ARMTOL_BAD_DELTA,       /* delta not between 0 and the smallest linear tolerance */
+    ARMTOL_UNKNOWN_ERRATUM, /* a name that stands in no row of the errata table */
+    ARMTOL_STATUS_COUNT     /* the number of the above, itself no status */
+} armtol_status;
+
+/* A short English text without a full stop, never NULL, for any value. */
+const char *armtol_status_text(armtol_status status);
+
+#endif

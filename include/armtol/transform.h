@@ -1,0 +1,16 @@
+#ifndef ARMTOL_TRANSFORM_H
+#define ARMTOL_TRANSFORM_H
+
+#include "armtol/conventions.h"
+#include "armtol/errata.h"
+
+armtol_transform armtol_transform_identity(void);
+
+/* left right, each element summed from 0 over its four products in order. Erratum: float. */
+armtol_transform armtol_transform_product(const armtol_transform *left, const armtol_transform *right,
+                                          const armtol_errata *errata);
+
+/* The inverse of a rigid motion, [R' , -R' p]. Erratum: float. */
+armtol_transform armtol_transform_inverse(const armtol_transform *transform, const armtol_errata *errata);
+
+#endif

@@ -1,0 +1,82 @@
+#include "armtol/robots.h"
+
+#include "arithmetic.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { LINKS = 6, JOINTS = 4, WISH = 4 };
+
+#define BASE_HEIGHT 203.2
+#define INNER_LINK 425.0
+#define OUTER_LINK 375.0
+
+static void links_of(const armtol_errata *errata, armtol_link links[])
+{
+    /* Erratum `half-turns`: base and tool turn, and the tool tilts, in this description only. */
+    const double turn = errata->half_turns ? pi_of(errata) : 0;
+    armtol_link table[LINKS] = {
+        {ARMTOL_NPR, ARMTOL_FIXED, .d = BASE_HEIGHT, .theta = turn},
+        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = INNER_LINK},
+        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = OUTER_LINK},
+        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 0},
+        {ARMTOL_PPP, ARMTOL_PRISMATIC, .a = 0},
+        {ARMTOL_NPR, ARMTOL_FIXED, .alpha = turn / 2, .theta = turn},
+    };
+    /* Erratum `adept-shift`: every length of a revolute link stands one link late. */
+    if (errata->adept_shift) {
+        table[3].a = table[2].a;
+        table[2].a = table[1].a;
+        table[1].a = 0;
+    }
+    memcpy(links, table, sizeof table);
+}
+
+static void forward(const double q[], const armtol_errata *errata, double wish[])
+{
+    static const armtol_craig_link links[] = {
+        {ARMTOL_FIXED, .d = BASE_HEIGHT},
+        {ARMTOL_REVOLUTE},
+        {ARMTOL_REVOLUTE, .a = INNER_LINK},
+        {ARMTOL_REVOLUTE, .a = OUTER_LINK},
+        {ARMTOL_PRISMATIC},
+    };
+    const armtol_transform tool = armtol_craig_chain(links, sizeof links / sizeof links[0], q, errata);
+    for (int i = 0; i < 3; i++) {
+        wish[i] = tool.m[i][3];
+    }
+    wish[3] = store(errata, atan2(tool.m[1][0], tool.m[0][0]));
+}
+
+/* The elbow by the law of cosines; q2 = pi - acos(c) lies between 0 and pi. */
+static armtol_status inverse(const double wish[], const armtol_errata *errata, double q[],
+                             armtol_reach *reach)
+{
+    for (int i = 0; i < WISH; i++) {
+        if (!isfinite(wish[i])) {
+            return ARMTOL_NOT_FINITE;
+        }
+    }
+    const double x = wish[0], y = wish[1], z = wish[2], theta = wish[3];
+    *reach = (armtol_reach){hypot(x, y), fabs(INNER_LINK - OUTER_LINK), INNER_LINK + OUTER_LINK};
+    const double c = store(errata, (INNER_LINK * INNER_LINK + OUTER_LINK * OUTER_LINK - x * x - y * y) /
+                                       (2 * INNER_LINK * OUTER_LINK));
+    if (!(fabs(c) <= 1)) {
+        return ARMTOL_OUT_OF_REACH;
+    }
+    q[1] = store(errata, pi_of(errata) - acos(c));
+    q[0] = store(errata, atan2(y, x) - atan2(OUTER_LINK * sin(q[1]), INNER_LINK + OUTER_LINK * cos(q[1])));
+    q[2] = store(errata, theta - q[0] - q[1]);
+    q[3] = store(errata, z - BASE_HEIGHT);
+    return ARMTOL_OK;
+}
+
+const armtol_robot armtol_adept_one = {
+    .name = "Adept AdeptOne",
+    .n_links = LINKS,
+    .n_joints = JOINTS,
+    .n_wish = WISH,
+    .links = links_of,
+    .inverse = inverse,
+    .forward = forward,
+};

@@ -1,0 +1,38 @@
+#include "armtol/craig.h"
+
+#include "armtol/transform.h"
+#include "arithmetic.h"
+
+#include <math.h>
+
+armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q, const armtol_errata *errata)
+{
+    const double alpha = store(errata, link->alpha);
+    const double theta = link->joint == ARMTOL_REVOLUTE ? store(errata, link->theta + q) : link->theta;
+    const double d = link->joint == ARMTOL_PRISMATIC ? store(errata, link->d + q) : link->d;
+    const double rows[3][4] = {
+        {cos(theta), -sin(theta), 0, link->a},
+        {sin(theta) * cos(alpha), cos(theta) * cos(alpha), -sin(alpha), -sin(alpha) * d},
+        {sin(theta) * sin(alpha), cos(theta) * sin(alpha), cos(alpha), cos(alpha) * d},
+    };
+    armtol_transform transform = armtol_transform_identity();
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            transform.m[i][j] = store(errata, rows[i][j]);
+        }
+    }
+    return transform;
+}
+
+armtol_transform armtol_craig_chain(const armtol_craig_link links[], size_t n_links, const double q[],
+                                    const armtol_errata *errata)
+{
+    armtol_transform chain = armtol_transform_identity();
+    size_t joint = 0;
+    for (size_t i = 0; i < n_links; i++) {
+        const double value = links[i].joint == ARMTOL_FIXED ? 0 : q[joint++];
+        const armtol_transform link = armtol_craig_transform(&links[i], value, errata);
+        chain = armtol_transform_product(&chain, &link, errata);
+    }
+    return chain;
+}

@@ -1,0 +1,37 @@
+#include "armtol/link_transform.h"
+
+#include "armtol/transform.h"
+#include "arithmetic.h"
+
+#include <math.h>
+
+armtol_transform armtol_link_transform(const armtol_link *link, const armtol_errata *errata)
+{
+    const double ca = store(errata, cos(link->alpha)), sa = store(errata, sin(link->alpha));
+    const double ct = store(errata, cos(link->theta)), st = store(errata, sin(link->theta));
+    const double cb = store(errata, cos(link->beta)), sb = store(errata, sin(link->beta));
+    /* Erratum `mtransf-typo`: row 1, column 2 repeats the sine of row 0. */
+    const double turn = errata->mtransf_typo ? st : ct;
+    const double rows[3][4] = {
+        {ct * cb - st * sa * sb, -st * ca, ct * sb + st * sa * cb, link->a * ct},
+        {st * cb + ct * sa * sb, ct * ca, st * sb - turn * sa * cb, link->a * st},
+        {-ca * sb, sa, ca * cb, link->d},
+    };
+    armtol_transform transform = armtol_transform_identity();
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            transform.m[i][j] = store(errata, rows[i][j]);
+        }
+    }
+    return transform;
+}
+
+armtol_transform armtol_chain_transform(const armtol_link links[], size_t n_links, const armtol_errata *errata)
+{
+    armtol_transform chain = armtol_transform_identity();
+    for (size_t i = 0; i < n_links; i++) {
+        const armtol_transform link = armtol_link_transform(&links[i], errata);
+        chain = armtol_transform_product(&chain, &link, errata);
+    }
+    return chain;
+}

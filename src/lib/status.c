@@ -1,0 +1,22 @@
+#include "armtol/status.h"
+
+#include <stddef.h>
+
+const char *armtol_status_text(armtol_status status)
+{
+    static const char *const texts[ARMTOL_STATUS_COUNT] = {
+        [ARMTOL_OK] = "no error",
+        [ARMTOL_NO_LINKS] = "the chain has no links",
+        [ARMTOL_BAD_KIND] = "a link is of no known kind",
+        [ARMTOL_BAD_JOINT] = "a link's joint is neither fixed, revolute nor prismatic",
+        [ARMTOL_NOT_FINITE] = "a value is not finite",
+        [ARMTOL_WRONG_SIZE] = "an array's length does not fit the chain",
+        [ARMTOL_OUT_OF_REACH] = "out of reach",
+        [ARMTOL_SINGULAR] = "singular: infinitely many joint values lead there",
+        [ARMTOL_BAD_TOLERANCE] = "a tolerance is not greater than zero",
+        [ARMTOL_BAD_DELTA] = "delta is not between zero and the smallest linear tolerance",
+        [ARMTOL_UNKNOWN_ERRATUM] = "no erratum has that name",
+    };
+    const size_t index = (size_t)status;
+    return index < ARMTOL_STATUS_COUNT ? texts[index] : "unknown status";
+}
