@@ -1,0 +1,11 @@
+#ifndef PROGRAM_EXIT_CODE_H
+#define PROGRAM_EXIT_CODE_H
+
+/* What a program tells the shell. */
+enum {
+    EXIT_OK = 0,
+    EXIT_FAILED = 1, /* input was right, something else failed: a folder, a disk, memory */
+    EXIT_WRONG = 2   /* wrong input or usage */
+};
+
+#endif

@@ -1,0 +1,27 @@
+#ifndef PROGRAM_MESSAGE_H
+#define PROGRAM_MESSAGE_H
+
+#include <stdio.h>
+
+/* "NAME: " and the text, on a line of stderr of its own. NAME is what message_start got. */
+void message_start(const char *program_name);
+void message(const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 1, 2)))
+#endif
+    ;
+
+/*
+ * Ask on stderr; the line stays open for the answer. A message that comes before message_answered begins a
+ * new line first.
+ */
+void message_prompt(const char *prompt);
+void message_answered(void);
+
+/* What a user typed, in quotes, fit to print: no control characters, and not endless. */
+typedef struct quoted {
+    char text[48];
+} quoted;
+quoted message_quote(const char *text);
+
+#endif

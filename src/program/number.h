@@ -1,0 +1,20 @@
+#ifndef PROGRAM_NUMBER_H
+#define PROGRAM_NUMBER_H
+
+typedef enum number_fault {
+    NUMBER_FINE,
+    NUMBER_NONE,       /* not a decimal number */
+    NUMBER_NOT_FINITE, /* nan, inf */
+    NUMBER_TOO_LARGE   /* beyond what a double holds */
+} number_fault;
+
+/*
+ * A decimal number, with a point whatever the locale of the environment (no program here calls setlocale):
+ * sign, digits with at most one point, exponent. The whole text has to be one; *value only changes if it is.
+ */
+number_fault number_parse(const char *text, double *value);
+
+/* What is wrong, to come after the quoted text: "is not a number". */
+const char *number_fault_text(number_fault fault);
+
+#endif

@@ -1,0 +1,150 @@
+#include "outfile.h"
+
+#include "message.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+typedef struct draft {
+    char name[96];
+    bool exists;
+} draft;
+
+bool folder_open(folder *folder, const char *path)
+{
+    folder->path = path;
+    folder->descriptor = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (folder->descriptor < 0) {
+        message("output folder \"%s\": %s", path, strerror(errno));
+        return false;
+    }
+    if (faccessat(folder->descriptor, ".", W_OK | X_OK, 0) != 0) {
+        message("output folder \"%s\": not writable: %s", path, strerror(errno));
+        folder_close(folder);
+        return false;
+    }
+    return true;
+}
+
+void folder_close(folder *folder)
+{
+    close(folder->descriptor);
+}
+
+static bool complain(const folder *folder, const char *name, const char *what)
+{
+    message("%s/%s: %s", folder->path, name, what);
+    return false;
+}
+
+/* rename would replace a FIFO or a device, and fail at a folder when its companion is already in place. */
+static bool may_replace(const folder *folder, const char *name)
+{
+    struct stat status;
+    if (fstatat(folder->descriptor, name, &status, AT_SYMLINK_NOFOLLOW) != 0) {
+        return errno == ENOENT || complain(folder, name, strerror(errno));
+    }
+    if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) {
+        return complain(folder, name, "exists and is not a regular file");
+    }
+    return true;
+}
+
+/* A new file under a name of its own; a draft that a killed run left behind under that name goes. */
+static FILE *draft_open(const folder *folder, const outfile *file, draft *draft)
+{
+    snprintf(draft->name, sizeof draft->name, ".%s.%ld.part", file->name, (long)getpid());
+    unlinkat(folder->descriptor, draft->name, 0);
+    const int descriptor = openat(folder->descriptor, draft->name,
+                                  O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        return NULL;
+    }
+    draft->exists = true;
+    FILE *stream = fdopen(descriptor, "w");
+    if (stream == NULL) {
+        close(descriptor);
+    }
+    return stream;
+}
+
+/* Whether everything has reached the disk; errno says why not. */
+static bool finish(FILE *stream)
+{
+    const bool written = !ferror(stream) && fflush(stream) == 0 && fsync(fileno(stream)) == 0;
+    const int why = errno;
+    const bool closed = fclose(stream) == 0;
+    if (!written) {
+        errno = why;
+    }
+    return written && closed;
+}
+
+static bool draft_write(const folder *folder, const outfile *file, const void *data, draft *draft)
+{
+    FILE *stream = draft_open(folder, file, draft);
+    if (stream == NULL) {
+        return complain(folder, file->name, strerror(errno));
+    }
+    file->write(stream, data);
+    return finish(stream) || complain(folder, file->name, strerror(errno));
+}
+
+static bool publish(const folder *folder, const outfile *file, draft *draft)
+{
+    if (renameat(folder->descriptor, draft->name, folder->descriptor, file->name) != 0) {
+        return complain(folder, file->name, strerror(errno));
+    }
+    draft->exists = false;
+    return true;
+}
+
+static bool write_all(const folder *folder, const outfile files[], size_t count, const void *data,
+                      draft drafts[])
+{
+    bool fine = true;
+    for (size_t i = 0; i < count && fine; i++) {
+        fine = may_replace(folder, files[i].name);
+    }
+    for (size_t i = 0; i < count && fine; i++) {
+        fine = draft_write(folder, &files[i], data, &drafts[i]);
+    }
+    for (size_t i = 0; i < count && fine; i++) {
+        fine = publish(folder, &files[i], &drafts[i]);
+    }
+    return fine;
+}
+
+static void remove_drafts(const folder *folder, const draft drafts[], size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (drafts[i].exists) {
+            unlinkat(folder->descriptor, drafts[i].name, 0);
+        }
+    }
+}
+
+bool outfiles_write(const folder *folder, const outfile files[], size_t count, const void *data)
+{
+    enum { MOST = 4 };
+    draft drafts[MOST] = {{{0}, false}};
+    sigset_t stopping, before;
+
+    if (count > MOST) {
+        return complain(folder, files[MOST].name, "too many files at once");
+    }
+    /* a signal that ends the program waits until no draft is left behind */
+    sigemptyset(&stopping);
+    sigaddset(&stopping, SIGINT);
+    sigaddset(&stopping, SIGTERM);
+    sigaddset(&stopping, SIGHUP);
+    sigprocmask(SIG_BLOCK, &stopping, &before);
+    const bool fine = write_all(folder, files, count, data, drafts);
+    remove_drafts(folder, drafts, count);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return fine;
+}
