@@ -1,0 +1,187 @@
+#include "run_case.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <spawn.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+extern char **environ;
+
+static bool complain(const char *path)
+{
+    fprintf(stderr, "reproduce: %s: %s\n", path, strerror(errno));
+    return false;
+}
+
+char *path_of(const char *format, ...)
+{
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    const int length = vsnprintf(NULL, 0, format, arguments);
+    char *path = length < 0 ? NULL : malloc((size_t)length + 1);
+    if (path != NULL) {
+        vsnprintf(path, (size_t)length + 1, format, again);
+    } else {
+        fprintf(stderr, "reproduce: out of memory\n");
+    }
+    va_end(again);
+    va_end(arguments);
+    return path;
+}
+
+bool make_folders(const char *path)
+{
+    char *part = path_of("%s", path);
+    bool fine = part != NULL;
+    for (char *slash = part; fine && slash != NULL;) {
+        slash = strchr(slash + 1, '/');
+        if (slash != NULL) {
+            *slash = '\0';
+        }
+        fine = mkdir(part, 0777) == 0 || errno == EEXIST || complain(part);
+        if (slash != NULL) {
+            *slash = '/';
+        }
+    }
+    free(part);
+    return fine;
+}
+
+static char *case_folder(const run_settings *settings, const published_number *number)
+{
+    return path_of("%s/%s-%d", settings->out, number->program, number->case_number);
+}
+
+/* What a person would type, a line for each question. */
+static bool write_input(const char *path, const published_list *list, size_t first)
+{
+    FILE *stream = fopen(path, "w");
+    if (stream == NULL) {
+        return complain(path);
+    }
+    for (int role = ROLE_WISH; role < ROLE_RESULT; role++) {
+        const char *separator = "";
+        for (size_t i = first; i < list->count; i++) {
+            const published_number *number = &list->numbers[i];
+            if ((int)number->role == role && published_same_case(number, &list->numbers[first])) {
+                fprintf(stream, "%s%s", separator, number->value);
+                separator = " ";
+            }
+        }
+        fputc('\n', stream);
+    }
+    return fclose(stream) == 0 || complain(path);
+}
+
+/* Run argv with its input and its standard error in files. Its exit status, or -1 with errno. */
+static int spawn(char *const argv[], const char *input, const char *dialogue)
+{
+    posix_spawn_file_actions_t actions;
+    pid_t child;
+    int status = 0;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_addopen(&actions, 0, input, O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&actions, 2, dialogue, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    const int failure = posix_spawn(&child, argv[0], &actions, NULL, argv, environ);
+    posix_spawn_file_actions_destroy(&actions);
+    if (failure != 0) {
+        errno = failure;
+        return -1;
+    }
+    while (waitpid(child, &status, 0) < 0) {
+        if (errno != EINTR) {
+            return -1;
+        }
+    }
+    return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+static bool run_in(const run_settings *settings, const published_number *number, const char *folder,
+                   const char *input)
+{
+    char *program = path_of("%s/%s", settings->programs, number->program);
+    char *output = path_of("--output=%s", folder);
+    char *dialogue = path_of("%s/dialogue", folder);
+    char *fix = path_of("--fix=%s", settings->fix != NULL ? settings->fix : "");
+    bool fine = program != NULL && output != NULL && dialogue != NULL && fix != NULL;
+    if (fine) {
+        char *const argv[] = {program, output, settings->fix != NULL ? fix : NULL, NULL};
+        const int status = spawn(argv, input, dialogue);
+        if (status < 0) {
+            fine = complain(program);
+        } else if (status > 0) {
+            fprintf(stderr, "reproduce: %s ended with %d; what it said is in %s\n", program, status, dialogue);
+            fine = false;
+        }
+    }
+    free(program);
+    free(output);
+    free(dialogue);
+    free(fix);
+    return fine;
+}
+
+bool run_case(const run_settings *settings, const published_list *list, size_t first)
+{
+    const published_number *number = &list->numbers[first];
+    char *folder = case_folder(settings, number);
+    char *input = folder != NULL ? path_of("%s/input", folder) : NULL;
+    const bool fine = input != NULL && make_folders(folder) && write_input(input, list, first) &&
+                      run_in(settings, number, folder, input);
+    free(folder);
+    free(input);
+    return fine;
+}
+
+/* Append a file to the text, which grows and may move; NULL, the text freed, where that fails. */
+static char *append_file(char *text, size_t *length, const char *path)
+{
+    enum { CHUNK = 4096 };
+    FILE *stream = fopen(path, "r");
+    bool fine = stream != NULL;
+    if (stream == NULL) {
+        complain(path);
+    }
+    for (size_t got = 1; fine && got > 0; *length += got) {
+        char *grown = realloc(text, *length + CHUNK + 1);
+        fine = grown != NULL;
+        text = fine ? grown : text;
+        got = fine ? fread(text + *length, 1, CHUNK, stream) : 0;
+    }
+    if (stream != NULL) {
+        fclose(stream);
+    }
+    if (!fine) {
+        free(text);
+        return NULL;
+    }
+    text[*length] = '\0';
+    return text;
+}
+
+char *run_case_results(const run_settings *settings, const published_number *number)
+{
+    static const char *const parts[] = {"tol", "mach"};
+    const char *prefix = strcmp(number->program, "intella") == 0 ? "int" : "adpt";
+    char *folder = case_folder(settings, number);
+    char *text = folder != NULL ? calloc(1, 1) : NULL;
+    size_t length = 0;
+    for (int i = 0; i < 2 && text != NULL; i++) {
+        char *path = path_of("%s/%s%s.1", folder, prefix, parts[i]);
+        if (path != NULL) {
+            text = append_file(text, &length, path);
+        } else {
+            free(text);
+            text = NULL;
+        }
+        free(path);
+    }
+    free(folder);
+    return text;
+}
