@@ -1,0 +1,48 @@
+# The short way in; CMake does the work. Needs only make: `.ci/setup` sees to a C compiler and CMake.
+
+BUILD   ?= build
+PREFIX  ?= /usr/local
+DESTDIR ?=
+JOBS    ?= $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+CMAKE_FLAGS ?=
+
+PUBLISHED = golden/published.tsv
+CONFIGURE = cmake -S . -B $(BUILD) $(CMAKE_FLAGS)
+COMPILE   = cmake --build $(BUILD) --parallel $(JOBS)
+
+# What CMake and the compiler say is of interest when they fail.
+quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(2).log >&2; exit 1; }
+
+.PHONY: all run test golden diff install clean setup
+
+all: setup
+	$(call quietly,$(CONFIGURE),configure)
+	$(call quietly,$(COMPILE),compile)
+
+# The main job: both programs on the paper's four cases, held against the paper.
+run: all
+	@$(BUILD)/reproduce $(BUILD) $(PUBLISHED) $(BUILD)/run
+
+test: setup
+	$(call quietly,$(CONFIGURE) -DBUILD_TESTING=ON,configure)
+	$(call quietly,$(COMPILE),compile)
+	@ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error
+
+# Writes what the programs print today over golden/1987 and golden/corrected; say in the commit why each
+# line changed. The published numbers are never written.
+golden: all
+	@$(BUILD)/reproduce --quiet $(BUILD) $(PUBLISHED) golden
+
+diff: all
+	@$(BUILD)/reproduce --quiet $(BUILD) $(PUBLISHED) $(BUILD)/run
+	@diff -ru golden/1987 $(BUILD)/run/1987 && diff -ru golden/corrected $(BUILD)/run/corrected && \
+	echo "no difference from golden/"
+
+install: all
+	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)"
+
+clean:
+	rm -rf $(BUILD)
+
+setup:
+	@.ci/setup cc cmake
