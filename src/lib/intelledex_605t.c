@@ -144,8 +144,8 @@ static armtol_status solve_all(const double wish[], const armtol_errata *errata,
 }
 
 /*
- * The report prints no inverse kinematics. This order of steps is a reconstruction, the one that gives every
- * published joint value to its last digit: legacy/README.md says why.
+ * The report prints no inverse kinematics. This order of steps is a reconstruction that gives every published
+ * joint value to its last digit; legacy/README.md says what the numbers decide and what they leave open.
  */
 static armtol_status inverse(const double wish[], const armtol_errata *errata, double q[],
                              armtol_reach *reach)

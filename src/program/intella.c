@@ -12,7 +12,7 @@ static const program intella = {
     .file_prefix = "int",
     .wish_names = wish_names,
     .wish_letters = wish_letters,
-    .reach_subject = "the wrist, 100 mm behind the tool point",
+    .reach_subject = "the wrist (100 mm behind the tool point)",
     .reach_origin = "the shoulder at (0, 0, 359.7)",
     .singular_text = "the shoulder at (0, 0, 359.7) lies on the tool's axis, so that any joint 6 would do; "
                      "expected a position or direction that keeps it off that axis",

@@ -75,9 +75,10 @@ static int print(action action, const program *program)
 
 static void explain_reach(const program *program, const armtol_reach *reach)
 {
-    const bool far = reach->distance > reach->farthest;
+    /* at the very edge rounding can refuse what lies within: which edge it was is then the nearer one */
+    const bool far = reach->distance > (reach->nearest + reach->farthest) / 2;
     const double excess = far ? reach->distance - reach->farthest : reach->nearest - reach->distance;
-    message("desired position: out of reach: %s, would be %.9g mm from %s, %.3g mm too %s; "
+    message("desired position: out of reach: %s would be %.9g mm from %s, %.3g mm too %s; "
             "expected between %.9g and %.9g mm",
             program->reach_subject, reach->distance, program->reach_origin, fmax(excess, 0),
             far ? "far" : "near", reach->nearest, reach->farthest);
