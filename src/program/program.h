@@ -16,6 +16,12 @@ typedef struct program {
     const char *singular_text;
 } program;
 
+extern const program program_intella; /* the Intelledex 605T */
+extern const program program_adpta;   /* the Adept AdeptOne */
+
+/* The program of that name, or NULL. */
+const program *program_named(const char *name);
+
 /* The whole program: options, dialogue, files. Returns its exit code. */
 int program_main(int argc, char *argv[], const program *program);
 

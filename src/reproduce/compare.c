@@ -48,3 +48,8 @@ comparison compare_number(const published_number *number, const char *files)
     }
     return result;
 }
+
+bool compare_agrees(const comparison *comparison)
+{
+    return comparison->verdict == VERDICT_AGREES || comparison->verdict == VERDICT_AGREES_WITHOUT_SIGN;
+}

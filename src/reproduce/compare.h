@@ -21,4 +21,7 @@ typedef struct comparison {
  */
 comparison compare_number(const published_number *number, const char *files);
 
+/* Whether the number is reproduced, with its sign or where the paper prints none without. */
+bool compare_agrees(const comparison *comparison);
+
 #endif

@@ -1,33 +1,101 @@
 /* reproduce: run intella and adpta on the paper's cases and hold what comes out against the paper. */
 
 #include "compare.h"
+#include "measure.h"
 #include "published.h"
 #include "run_case.h"
 
+#include <getopt.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+typedef enum mode { MODE_RUN, MODE_ERRATA, MODE_WALK, MODE_PORTABILITY } mode;
+
 typedef struct arguments {
+    mode mode;
+    table_format format;
+    bool quiet, only_misses, legacy;
+    const char *runner;
     const char *programs, *published, *out;
-    bool quiet;
 } arguments;
 
 static int usage(void)
 {
-    fprintf(stderr, "reproduce: expected: reproduce [--quiet] PROGRAMS PUBLISHED OUT\n"
-                    "  PROGRAMS   the folder of intella and adpta\n"
-                    "  PUBLISHED  the table of the paper's numbers\n"
-                    "  OUT        the folder that gets 1987/CASE/ and corrected/CASE/\n"
-                    "  --quiet    write the files, print no table\n");
+    fprintf(stderr,
+            "reproduce: expected one of\n"
+            "  reproduce [--quiet | --misses] [--legacy [--runner=COMMAND]] PROGRAMS PUBLISHED OUT\n"
+            "  reproduce --errata | --walk | --portability [--format=text|markdown|tsv] PUBLISHED\n"
+            "\n"
+            "  PROGRAMS       the folder of intella and adpta\n"
+            "  PUBLISHED      the table of the paper's numbers\n"
+            "  OUT            the folder that gets 1987/CASE/ and corrected/CASE/\n"
+            "  --quiet        write the files, print nothing\n"
+            "  --misses       print what differs and the count, not the tables\n"
+            "  --legacy       the programs are those of legacy/, which know no corrections\n"
+            "  --runner       what to start them with: an emulator\n"
+            "  --errata       the bounds with each erratum corrected alone, and with each kept alone\n"
+            "  --walk         the bounds from 1987 to all corrected, an erratum at a time\n"
+            "  --portability  the published numbers for float and double storage, 3.14159 and pi\n");
     return 2;
+}
+
+enum { OPTION_FORMAT = 1000, OPTION_QUIET, OPTION_MISSES, OPTION_LEGACY, OPTION_RUNNER };
+
+static const struct option long_options[] = {
+    {"quiet", no_argument, NULL, OPTION_QUIET},
+    {"misses", no_argument, NULL, OPTION_MISSES},
+    {"legacy", no_argument, NULL, OPTION_LEGACY},
+    {"runner", required_argument, NULL, OPTION_RUNNER},
+    {"errata", no_argument, NULL, MODE_ERRATA},
+    {"walk", no_argument, NULL, MODE_WALK},
+    {"portability", no_argument, NULL, MODE_PORTABILITY},
+    {"format", required_argument, NULL, OPTION_FORMAT},
+    {NULL, 0, NULL, 0},
+};
+
+static bool apply(int option, arguments *arguments)
+{
+    switch (option) {
+    case OPTION_QUIET:
+        arguments->quiet = true;
+        return true;
+    case OPTION_MISSES:
+        arguments->only_misses = true;
+        return true;
+    case OPTION_LEGACY:
+        arguments->legacy = true;
+        return true;
+    case OPTION_RUNNER:
+        arguments->runner = optarg;
+        return true;
+    case OPTION_FORMAT:
+        return table_format_of(optarg, &arguments->format);
+    case MODE_ERRATA:
+    case MODE_WALK:
+    case MODE_PORTABILITY:
+        arguments->mode = (mode)option;
+        return true;
+    default:
+        return false;
+    }
 }
 
 static bool parse(int argc, char *argv[], arguments *arguments)
 {
-    arguments->quiet = argc > 1 && strcmp(argv[1], "--quiet") == 0;
-    char **const rest = argv + 1 + arguments->quiet;
-    if (argc - 1 - arguments->quiet != 3 || rest[0][0] == '-') {
+    *arguments = (struct arguments){.mode = MODE_RUN, .format = FORMAT_TEXT, .runner = ""};
+    opterr = 0;
+    for (int option; (option = getopt_long(argc, argv, "", long_options, NULL)) != -1;) {
+        if (!apply(option, arguments)) {
+            return false;
+        }
+    }
+    char **rest = argv + optind;
+    if (arguments->mode != MODE_RUN) {
+        arguments->published = rest[0];
+        return argc - optind == 1;
+    }
+    if (argc - optind != 3) {
         return false;
     }
     arguments->programs = rest[0];
@@ -96,7 +164,7 @@ static bool compare_case(const run_settings *settings, const published_list *lis
             continue;
         }
         const comparison result = compare_number(number, files);
-        const bool agrees = result.verdict == VERDICT_AGREES || result.verdict == VERDICT_AGREES_WITHOUT_SIGN;
+        const bool agrees = compare_agrees(&result);
         tally->results++;
         tally->reproduced += agrees;
         if (!only_misses) {
@@ -128,34 +196,50 @@ static bool compare_all(const run_settings *settings, const published_list *list
 }
 
 /* The tables, the misses once more, the count. */
-static bool report(const run_settings *settings, const published_list *list)
+static bool report(const run_settings *settings, const published_list *list, bool only_misses)
 {
     tally tally;
-    if (!compare_all(settings, list, false, &tally)) {
+    if (!compare_all(settings, list, only_misses, &tally)) {
         return false;
     }
-    printf("\n");
-    if (tally.reproduced < tally.results && !compare_all(settings, list, true, &tally)) {
-        return false;
+    if (!only_misses) {
+        printf("\n");
+        if (tally.reproduced < tally.results && !compare_all(settings, list, true, &tally)) {
+            return false;
+        }
     }
     printf("%zu of %zu published numbers reproduced\n", tally.reproduced, tally.results);
-    return tally.results > 0 && tally.reproduced == tally.results && fflush(stdout) == 0;
+    return tally.results > 0 && tally.reproduced == tally.results;
 }
 
-static bool reproduce(const arguments *arguments, const published_list *list)
+static bool run_and_compare(const arguments *arguments, const published_list *list)
 {
     char *out_1987 = path_of("%s/1987", arguments->out);
     char *out_corrected = path_of("%s/corrected", arguments->out);
     bool fine = out_1987 != NULL && out_corrected != NULL;
     if (fine) {
-        const run_settings as_1987 = {arguments->programs, NULL, out_1987};
-        const run_settings corrected = {arguments->programs, "all", out_corrected};
-        fine = run_all(&as_1987, list) && run_all(&corrected, list) &&
-               (arguments->quiet || report(&as_1987, list));
+        const run_settings as_1987 = {arguments->programs, NULL, out_1987, arguments->legacy, arguments->runner};
+        const run_settings corrected = {arguments->programs, "all", out_corrected, false, ""};
+        fine = run_all(&as_1987, list) && (arguments->legacy || run_all(&corrected, list)) &&
+               (arguments->quiet || report(&as_1987, list, arguments->only_misses));
     }
     free(out_1987);
     free(out_corrected);
     return fine;
+}
+
+static bool reproduce(const arguments *arguments, const published_list *list)
+{
+    switch (arguments->mode) {
+    case MODE_ERRATA:
+        return measure_errata(list, arguments->format);
+    case MODE_WALK:
+        return measure_walk(list, arguments->format);
+    case MODE_PORTABILITY:
+        return measure_portability(list, arguments->format);
+    default:
+        return run_and_compare(arguments, list);
+    }
 }
 
 int main(int argc, char *argv[])
@@ -165,7 +249,11 @@ int main(int argc, char *argv[])
     if (!parse(argc, argv, &arguments)) {
         return usage();
     }
-    const bool fine = published_read(arguments.published, &list) && reproduce(&arguments, &list);
+    bool fine = published_read(arguments.published, &list) && reproduce(&arguments, &list);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, "reproduce: cannot write to standard output\n");
+        fine = false;
+    }
     published_free(&list);
     return fine ? 0 : 1;
 }

@@ -1,5 +1,7 @@
 #include "run_case.h"
 
+#include "program.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <spawn.h>
@@ -102,28 +104,56 @@ static int spawn(char *const argv[], const char *input, const char *dialogue)
     return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-static bool run_in(const run_settings *settings, const published_number *number, const char *folder,
-                   const char *input)
+/* The command was run to its end: say so if it failed. */
+static bool judge(int status, const char *program, const char *dialogue)
+{
+    if (status < 0) {
+        return complain(program);
+    }
+    if (status > 0) {
+        fprintf(stderr, "reproduce: %s ended with %d; what it said is in %s\n", program, status, dialogue);
+    }
+    return status == 0;
+}
+
+static bool run_port(const run_settings *settings, char *program, const char *folder, const char *input,
+                     const char *dialogue)
+{
+    char *output = path_of("--output=%s", folder);
+    char *fix = path_of("--fix=%s", settings->fix != NULL ? settings->fix : "");
+    char *const argv[] = {program, output, settings->fix != NULL ? fix : NULL, NULL};
+    const bool fine = output != NULL && fix != NULL && judge(spawn(argv, input, dialogue), program, dialogue);
+    free(output);
+    free(fix);
+    return fine;
+}
+
+/* A legacy program writes into its current folder, which only a shell changes without a fork of our own. */
+static bool run_legacy(const run_settings *settings, char *program, char *folder, const char *input,
+                       const char *dialogue)
+{
+    static char shell[] = "/bin/sh", option[] = "-c";
+    char *absolute = realpath(program, NULL);
+    char *script = path_of("cd \"$0\" && exec %s \"$@\"", settings->runner);
+    char *const argv[] = {shell, option, script, folder, absolute, NULL};
+    bool fine = absolute != NULL || complain(program);
+    fine = fine && script != NULL && judge(spawn(argv, input, dialogue), program, dialogue);
+    free(absolute);
+    free(script);
+    return fine;
+}
+
+static bool run_in(const run_settings *settings, const published_number *number, char *folder, const char *input)
 {
     char *program = path_of("%s/%s", settings->programs, number->program);
-    char *output = path_of("--output=%s", folder);
     char *dialogue = path_of("%s/dialogue", folder);
-    char *fix = path_of("--fix=%s", settings->fix != NULL ? settings->fix : "");
-    bool fine = program != NULL && output != NULL && dialogue != NULL && fix != NULL;
+    bool fine = program != NULL && dialogue != NULL;
     if (fine) {
-        char *const argv[] = {program, output, settings->fix != NULL ? fix : NULL, NULL};
-        const int status = spawn(argv, input, dialogue);
-        if (status < 0) {
-            fine = complain(program);
-        } else if (status > 0) {
-            fprintf(stderr, "reproduce: %s ended with %d; what it said is in %s\n", program, status, dialogue);
-            fine = false;
-        }
+        fine = settings->legacy ? run_legacy(settings, program, folder, input, dialogue)
+                                : run_port(settings, program, folder, input, dialogue);
     }
     free(program);
-    free(output);
     free(dialogue);
-    free(fix);
     return fine;
 }
 
@@ -168,12 +198,12 @@ static char *append_file(char *text, size_t *length, const char *path)
 char *run_case_results(const run_settings *settings, const published_number *number)
 {
     static const char *const parts[] = {"tol", "mach"};
-    const char *prefix = strcmp(number->program, "intella") == 0 ? "int" : "adpt";
+    const program *program = program_named(number->program);
     char *folder = case_folder(settings, number);
-    char *text = folder != NULL ? calloc(1, 1) : NULL;
+    char *text = folder != NULL && program != NULL ? calloc(1, 1) : NULL;
     size_t length = 0;
     for (int i = 0; i < 2 && text != NULL; i++) {
-        char *path = path_of("%s/%s%s.1", folder, prefix, parts[i]);
+        char *path = path_of("%s/%s%s.1", folder, program->file_prefix, parts[i]);
         if (path != NULL) {
             text = append_file(text, &length, path);
         } else {

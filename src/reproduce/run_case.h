@@ -11,6 +11,8 @@ typedef struct run_settings {
     const char *programs; /* the folder of intella and adpta */
     const char *fix;      /* an argument for --fix, or NULL */
     const char *out;      /* the folder that gets one folder a case */
+    bool legacy;          /* the programs take no options and write where they are started */
+    const char *runner;   /* legacy only: the beginning of the command, an emulator say; or "" */
 } run_settings;
 
 /*

@@ -1,0 +1,95 @@
+#include "table.h"
+
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool table_format_of(const char *name, table_format *format)
+{
+    static const char *const names[FORMAT_COUNT] = {"text", "markdown", "tsv"};
+    for (int i = 0; i < FORMAT_COUNT; i++) {
+        if (strcmp(name, names[i]) == 0) {
+            *format = (table_format)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+void table_start(table *table, size_t n_columns)
+{
+    table->n_columns = n_columns;
+    table->n_rows = 0;
+    table->rows = NULL;
+}
+
+void table_free(table *table)
+{
+    free(table->rows);
+    table_start(table, 0);
+}
+
+table_row *table_add(table *table)
+{
+    table_row *grown = realloc(table->rows, (table->n_rows + 1) * sizeof *grown);
+    if (grown == NULL) {
+        return NULL;
+    }
+    table->rows = grown;
+    memset(&table->rows[table->n_rows], 0, sizeof *grown);
+    return &table->rows[table->n_rows++];
+}
+
+void table_set(table_row *row, size_t column, const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(row->cells[column], TABLE_CELL, format, arguments);
+    va_end(arguments);
+}
+
+static int width_of(const table *table, size_t column)
+{
+    size_t width = 3; /* what Markdown's rule needs */
+    for (size_t i = 0; i < table->n_rows; i++) {
+        const size_t length = strlen(table->rows[i].cells[column]);
+        width = length > width ? length : width;
+    }
+    return (int)width;
+}
+
+static void print_row(const table *table, const table_row *row, table_format format, FILE *stream)
+{
+    static const char *const begin[FORMAT_COUNT] = {"  ", "| ", ""};
+    static const char *const between[FORMAT_COUNT] = {"  ", " | ", "\t"};
+    static const char *const end[FORMAT_COUNT] = {"\n", " |\n", "\n"};
+    fputs(begin[format], stream);
+    for (size_t j = 0; j < table->n_columns; j++) {
+        const int width = format == FORMAT_TSV ? 0 : width_of(table, j);
+        fprintf(stream, j == 0 ? "%-*s" : "%*s", width, row->cells[j]);
+        fputs(j + 1 < table->n_columns ? between[format] : end[format], stream);
+    }
+}
+
+/* Markdown's line below the head: a colon aligns a column to the right. */
+static void print_rule(const table *table, FILE *stream)
+{
+    for (size_t j = 0; j < table->n_columns; j++) {
+        fputc('|', stream);
+        for (int i = width_of(table, j) + (j == 0 ? 2 : 1); i > 0; i--) {
+            fputc('-', stream);
+        }
+        fputs(j == 0 ? "" : ":", stream);
+    }
+    fputs("|\n", stream);
+}
+
+void table_print(const table *table, table_format format, FILE *stream)
+{
+    for (size_t i = 0; i < table->n_rows; i++) {
+        print_row(table, &table->rows[i], format, stream);
+        if (i == 0 && format == FORMAT_MARKDOWN) {
+            print_rule(table, stream);
+        }
+    }
+}

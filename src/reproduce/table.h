@@ -1,0 +1,43 @@
+#ifndef REPRODUCE_TABLE_H
+#define REPRODUCE_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* A table of texts, to be printed for people, as Markdown or as tab-separated values. */
+
+typedef enum table_format { FORMAT_TEXT, FORMAT_MARKDOWN, FORMAT_TSV, FORMAT_COUNT } table_format;
+
+enum { TABLE_COLUMNS = 8, TABLE_CELL = 64 };
+
+typedef struct table_row {
+    char cells[TABLE_COLUMNS][TABLE_CELL];
+} table_row;
+
+typedef struct table {
+    size_t n_columns;
+    size_t n_rows;
+    table_row *rows; /* the first is the head */
+} table;
+
+/* "text", "markdown" or "tsv". */
+bool table_format_of(const char *name, table_format *format);
+
+void table_start(table *table, size_t n_columns);
+void table_free(table *table);
+
+/* A new row of empty cells; NULL where memory is short. */
+table_row *table_add(table *table);
+
+/* printf into a cell; what is too long is cut. */
+void table_set(table_row *row, size_t column, const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 3, 4)))
+#endif
+    ;
+
+/* The first column to the left, the others to the right. */
+void table_print(const table *table, table_format format, FILE *stream);
+
+#endif

@@ -1,0 +1,19 @@
+# Install into an empty prefix, run the programs there, build and run a program of somebody else's against it.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+
+file(REMOVE_RECURSE ${BINARY})
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${BINARY}/prefix)
+foreach(program intella adpta)
+  run(${BINARY}/prefix/bin/${program} --version)
+  if(NOT run_output STREQUAL "${program} (armtol) ${VERSION}\n")
+    message(FATAL_ERROR "${program} --version said ${run_output}")
+  endif()
+endforeach()
+
+run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${BINARY}/consumer -D CMAKE_PREFIX_PATH=${BINARY}/prefix
+  -D CMAKE_C_COMPILER=${COMPILER} -D VERSION=${VERSION})
+run(${CMAKE_COMMAND} --build ${BINARY}/consumer)
+run(${BINARY}/consumer/consumer)
+if(NOT run_output STREQUAL "${VERSION} 32\n")
+  message(FATAL_ERROR "the program built against the installed library said ${run_output}")
+endif()
