@@ -13,7 +13,9 @@ COMPILE   = cmake --build $(BUILD) --parallel $(JOBS)
 # What CMake and the compiler say is of interest when they fail.
 quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(2).log >&2; exit 1; }
 
-.PHONY: all run test golden diff install clean setup
+# One build tree: goals given together take turns.
+.NOTPARALLEL:
+.PHONY: all run test golden diff era install clean setup
 
 all: setup
 	$(call quietly,$(CONFIGURE),configure)
@@ -37,6 +39,10 @@ diff: all
 	@$(BUILD)/reproduce --quiet $(BUILD) $(PUBLISHED) $(BUILD)/run
 	@diff -ru golden/1987 $(BUILD)/run/1987 && diff -ru golden/corrected $(BUILD)/run/corrected && \
 	echo "no difference from golden/"
+
+# The legacy programs on an emulated 68020, nothing modelled. Needs Debian's cross compiler and qemu-user.
+era: all
+	@legacy/era $(BUILD)/reproduce golden $(BUILD)/era
 
 install: all
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)"

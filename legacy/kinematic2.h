@@ -6,9 +6,12 @@
  * In an error vector (vx, vy, vz, wx, wy, wz) the v's come first.
  */
 
-/* SKEW is not of 1987 */
+/* SKEW and SHOW are not of 1987 */
 #ifndef SKEW
 #define SKEW
+#endif
+#ifndef SHOW
+#define SHOW(matrix)
 #endif
 
 /*
@@ -172,6 +175,7 @@ float m[4][4], out[6][6];
 			for (n = 0; n < 3; n++)
 				out[i][j+3] += (double)skew[i][n]*m[n][j];
 		}
+	SHOW(skew)
 }
 
 /* out = a b, 6 x 6 by 6 x 6 */
