@@ -23,7 +23,8 @@ armtol_status armtol_tolerances_check(const double tolerances[6], double delta);
  *                e_i / |row i, angle columns|, i = 3..5           Hahn 1987, Eqs (4.25) to (4.28)
  *     distance = least over rows i = 0..2 of delta / |row i, length columns|        Eq. (4.31)
  * A row without an entry in its columns bounds nothing; a bound that no row sets is infinite.
- * Erratum: float. Errors: those of armtol_tolerances_check; ARMTOL_WRONG_SIZE for n_lengths > n_columns.
+ * Erratum: float. Errors: those of armtol_tolerances_check; ARMTOL_WRONG_SIZE for n_lengths > n_columns;
+ * ARMTOL_NOT_FINITE where an element is not or the norm of a row overflows.
  */
 armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,
                                  const double tolerances[6], double delta, const armtol_errata *errata,

@@ -7,8 +7,8 @@
  * Units        Lengths in one unit of the caller's choice, the same throughout (the arms of 1987 are in
  *              millimetres). Angles in radians, right-handed: counter-clockwise, seen against the axis.
  *
- * Links        Modified Denavit-Hartenberg parameters after Hayati (CDC 1983), in Paul's order
- *              (Robot Manipulators, 1981); Hahn 1987, Eq. (4.1):
+ * Links        Denavit-Hartenberg parameters in Paul's order (Robot Manipulators, 1981), modified by Hayati's
+ *              beta for parallel axes (CDC 1983); not Craig's, which are called modified too. Hahn 1987, Eq. (4.1):
  *
  *                  T = Rot(z, theta) Trans(a, 0, d) Rot(x, alpha) Rot(y, beta)
  *

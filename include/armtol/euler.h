@@ -6,13 +6,13 @@
 
 /*
  * zyx Euler angles: R = Rot(z, alpha) Rot(y, beta) Rot(x, gamma). A pose is (x, y, z, gamma, beta, alpha).
- * Source: Craig 1986, section 2.8, and the dialogue of `intella`. Erratum: float.
+ * Source: Craig 1986, chapter 2, and the dialogue of `intella`. Erratum: float.
  */
 armtol_transform armtol_pose_to_transform(const double pose[6], const armtol_errata *errata);
 
 /*
- * The other way: beta in [-pi/2, pi/2], gamma and alpha in (-pi, pi]. At beta = +-pi/2 only a sum of gamma and
- * alpha is given by R; what comes out then rests on rounding.
+ * The other way: beta in [-pi/2, pi/2], gamma and alpha in (-pi, pi]. At beta = pi/2 the rotation gives only
+ * alpha - gamma, at -pi/2 only alpha + gamma; what comes out for the two near there rests on rounding.
  */
 void armtol_transform_to_pose(const armtol_transform *transform, const armtol_errata *errata, double pose[6]);
 

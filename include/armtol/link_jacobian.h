@@ -11,6 +11,7 @@
  * coordinates of that frame, for a unit error of the k-th parameter of the link's kind. Columns beyond
  * *count are left as they were.
  * Source: Hahn 1987, routines gnpr, gnpp, gppr and gppp, behind one table of kinds.
+ * The routines of 1987 had no beta for npr and npp and no a for npp; here every nominal value counts.
  * Errata: parallel-arm, prismatic-alpha, beta-sign, float.
  * Error: ARMTOL_BAD_KIND.
  */

@@ -25,6 +25,7 @@ armtol_shares armtol_parameter_shares(const armtol_bounds *bounds, size_t n_leng
  * The tolerance of the distance between the two axes of a placed link, h = sqrt(a^2 + d^2), when a and d may
  * each be off by share:
  *     rd = -h + sqrt(h^2 + 2 a share + 2 d share + 2 share^2).
+ * Infinite or nan where the squares overflow.
  * Source: Hahn 1987, Eq. (4.32), routine mach. Errata: signed-mach, float.
  */
 double armtol_machining_distance(const armtol_link *link, double share, const armtol_errata *errata);

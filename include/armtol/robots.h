@@ -8,7 +8,7 @@
 
 #include <stddef.h>
 
-/* The two arms of 1987. Millimetres and radians. Source of all constants: Hahn 1987, section 5.2, appendix. */
+/* The two arms of 1987. Millimetres and radians. Source of all constants: Hahn 1987, appendix. */
 
 /* How far a wish is from where the arm turns about, and between which distances the arm gets. */
 typedef struct armtol_reach {
@@ -29,8 +29,9 @@ typedef struct armtol_robot {
 
     /*
      * Joint values that bring the tool to the wish, as the programs of 1987 chose them: every `close` of
-     * solve is 0, nothing is wrapped. reach is written in every case but ARMTOL_NOT_FINITE.
-     * Errors: ARMTOL_NOT_FINITE, ARMTOL_OUT_OF_REACH, ARMTOL_SINGULAR. Errata: short-pi, float.
+     * solve is 0, nothing is wrapped. reach is written unless the wish is not finite.
+     * Errors: ARMTOL_NOT_FINITE, also for a joint value that overflows; ARMTOL_OUT_OF_REACH; ARMTOL_SINGULAR.
+     * Errata: short-pi, float.
      */
     armtol_status (*inverse)(const double wish[], const armtol_errata *errata, double q[],
                              armtol_reach *reach);
@@ -41,7 +42,9 @@ typedef struct armtol_robot {
 
 /*
  * Intelledex 605T: 8 links, 6 joints; wish x, y, z, gamma, beta, alpha (euler.h). Its reach is the distance of
- * the wrist, where the axes of joints 5 and 6 meet, from the shoulder.
+ * the wrist, where the axes of joints 5 and 6 meet, from the shoulder. Singular, and refused: the shoulder within
+ * 0.001 mm of the tool's axis, which leaves joint 6 free. Where the axes of joints 3 to 5 are upright joint 1 is
+ * free too, but any value of it serves: one is chosen, and the answer is right.
  */
 extern const armtol_robot armtol_intelledex_605t;
 

@@ -4,13 +4,17 @@
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
 
+/* Of two frames that coincide. */
 armtol_transform armtol_transform_identity(void);
 
-/* left right, each element summed from 0 over its four products in order. Erratum: float. */
+/*
+ * left right: the frame of right in that of left. Each element is summed from 0 over its four products in order.
+ * Erratum: float.
+ */
 armtol_transform armtol_transform_product(const armtol_transform *left, const armtol_transform *right,
                                           const armtol_errata *errata);
 
-/* The inverse of a rigid motion, [R' , -R' p]. Erratum: float. */
+/* The inverse of a rigid motion, [R' , -R' p]. Source: Craig 1986, chapter 2. Erratum: float. */
 armtol_transform armtol_transform_inverse(const armtol_transform *transform, const armtol_errata *errata);
 
 #endif

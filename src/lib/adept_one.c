@@ -3,6 +3,7 @@
 #include "arithmetic.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 enum { LINKS = 6, JOINTS = 4, WISH = 4 };
@@ -48,26 +49,39 @@ static void forward(const double q[], const armtol_errata *errata, double wish[]
     wish[3] = store(errata, atan2(tool.m[1][0], tool.m[0][0]));
 }
 
+static bool all_finite(const double values[], size_t count)
+{
+    bool finite = true;
+    for (size_t i = 0; i < count; i++) {
+        finite = finite && isfinite(values[i]);
+    }
+    return finite;
+}
+
 /* The elbow by the law of cosines; q2 = pi - acos(c) lies between 0 and pi. */
 static armtol_status inverse(const double wish[], const armtol_errata *errata, double q[],
                              armtol_reach *reach)
 {
-    for (int i = 0; i < WISH; i++) {
-        if (!isfinite(wish[i])) {
-            return ARMTOL_NOT_FINITE;
-        }
-    }
     const double x = wish[0], y = wish[1], z = wish[2], theta = wish[3];
+    double solved[JOINTS];
+    if (!all_finite(wish, WISH)) {
+        return ARMTOL_NOT_FINITE;
+    }
     *reach = (armtol_reach){hypot(x, y), fabs(INNER_LINK - OUTER_LINK), INNER_LINK + OUTER_LINK};
     const double c = store(errata, (INNER_LINK * INNER_LINK + OUTER_LINK * OUTER_LINK - x * x - y * y) /
                                        (2 * INNER_LINK * OUTER_LINK));
     if (!(fabs(c) <= 1)) {
         return ARMTOL_OUT_OF_REACH;
     }
-    q[1] = store(errata, pi_of(errata) - acos(c));
-    q[0] = store(errata, atan2(y, x) - atan2(OUTER_LINK * sin(q[1]), INNER_LINK + OUTER_LINK * cos(q[1])));
-    q[2] = store(errata, theta - q[0] - q[1]);
-    q[3] = store(errata, z - BASE_HEIGHT);
+    solved[1] = store(errata, pi_of(errata) - acos(c));
+    solved[0] = store(errata, atan2(y, x) - atan2(OUTER_LINK * sin(solved[1]),
+                                                  INNER_LINK + OUTER_LINK * cos(solved[1])));
+    solved[2] = store(errata, theta - solved[0] - solved[1]);
+    solved[3] = store(errata, z - BASE_HEIGHT);
+    if (!all_finite(solved, JOINTS)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    memcpy(q, solved, sizeof solved);
     return ARMTOL_OK;
 }
 

@@ -30,10 +30,12 @@ static double row_norm(const double row[], size_t first, size_t end, const armto
     return store(errata, sqrt(sum));
 }
 
-/* The radius that one row allows, or the bound so far where that is less or the row has no entry. */
-static double tighten(double bound, double allowed, double norm, const armtol_errata *errata)
+/* Lower the bound to the radius that one row allows; a row without an entry allows any. */
+static void tighten(double *bound, double allowed, double norm, const armtol_errata *errata)
 {
-    return norm > 0 ? fmin(bound, store(errata, allowed / norm)) : bound;
+    if (norm > 0) {
+        *bound = fmin(*bound, store(errata, allowed / norm));
+    }
 }
 
 armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,
@@ -47,13 +49,17 @@ armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_
     if (n_lengths > n_columns) {
         return ARMTOL_WRONG_SIZE;
     }
-    double distance = INFINITY, angle = INFINITY;
+    double distance = (double)INFINITY, angle = (double)INFINITY;
     for (size_t i = 0; i < 6; i++) {
         const double *row = ordered + i * n_columns;
-        const double allowed = i < 3 ? tolerances[i] - delta : tolerances[i];
-        angle = tighten(angle, allowed, row_norm(row, n_lengths, n_columns, errata), errata);
+        const double lengths = row_norm(row, 0, n_lengths, errata);
+        const double angles = row_norm(row, n_lengths, n_columns, errata);
+        if (!isfinite(lengths) || !isfinite(angles)) {
+            return ARMTOL_NOT_FINITE;
+        }
+        tighten(&angle, i < 3 ? tolerances[i] - delta : tolerances[i], angles, errata);
         if (i < 3) {
-            distance = tighten(distance, delta, row_norm(row, 0, n_lengths, errata), errata);
+            tighten(&distance, delta, lengths, errata);
         }
     }
     *bounds = (armtol_bounds){distance, angle};

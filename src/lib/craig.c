@@ -2,6 +2,7 @@
 
 #include "armtol/transform.h"
 #include "arithmetic.h"
+#include "rows.h"
 
 #include <math.h>
 
@@ -15,13 +16,7 @@ armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q,
         {sin(theta) * cos(alpha), cos(theta) * cos(alpha), -sin(alpha), -sin(alpha) * d},
         {sin(theta) * sin(alpha), cos(theta) * sin(alpha), cos(alpha), cos(alpha) * d},
     };
-    armtol_transform transform = armtol_transform_identity();
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 4; j++) {
-            transform.m[i][j] = store(errata, rows[i][j]);
-        }
-    }
-    return transform;
+    return transform_of_rows(rows, errata);
 }
 
 armtol_transform armtol_craig_chain(const armtol_craig_link links[], size_t n_links, const double q[],

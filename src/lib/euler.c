@@ -1,7 +1,7 @@
 #include "armtol/euler.h"
 
-#include "armtol/transform.h"
 #include "arithmetic.h"
+#include "rows.h"
 
 #include <math.h>
 
@@ -15,13 +15,7 @@ armtol_transform armtol_pose_to_transform(const double pose[6], const armtol_err
         {sa * cb, sa * sb * sg + ca * cg, sa * sb * cg - ca * sg, pose[1]},
         {-sb, cb * sg, cb * cg, pose[2]},
     };
-    armtol_transform transform = armtol_transform_identity();
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 4; j++) {
-            transform.m[i][j] = store(errata, rows[i][j]);
-        }
-    }
-    return transform;
+    return transform_of_rows(rows, errata);
 }
 
 void armtol_transform_to_pose(const armtol_transform *transform, const armtol_errata *errata, double pose[6])

@@ -6,6 +6,7 @@
 #include "arithmetic.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <string.h>
 
 enum { LINKS = 8, JOINTS = 6, WISH = 6 };
@@ -160,8 +161,11 @@ static armtol_status inverse(const double wish[], const armtol_errata *errata, d
     const armtol_status status = solve_all(wish, errata, solved);
     if (status == ARMTOL_OK) {
         memcpy(q, solved, sizeof solved);
+        return ARMTOL_OK;
     }
-    return status == ARMTOL_NOT_FINITE ? ARMTOL_OUT_OF_REACH : status; /* squares of far wishes overflow */
+    /* a far wish may overflow, or have the shoulder on its tool's axis: it is out of reach all the same */
+    const bool within = reach->nearest <= reach->distance && reach->distance <= reach->farthest;
+    return status == ARMTOL_SINGULAR && within ? ARMTOL_SINGULAR : ARMTOL_OUT_OF_REACH;
 }
 
 const armtol_robot armtol_intelledex_605t = {

@@ -89,20 +89,33 @@ static armtol_link place(const armtol_link *link, double q, const armtol_errata 
     return placed;
 }
 
+/* Whether every link keeps finite values when its joint moves. */
+static armtol_status check_placing(const armtol_link links[], size_t n_links, const double q[],
+                                   const armtol_errata *errata)
+{
+    armtol_status status = ARMTOL_OK;
+    size_t joint = 0;
+    for (size_t i = 0; i < n_links && status == ARMTOL_OK; i++) {
+        if (links[i].joint != ARMTOL_FIXED) {
+            const armtol_link placed = place(&links[i], q[joint++], errata);
+            status = check_link(&placed);
+        }
+    }
+    return status;
+}
+
 armtol_status armtol_links_place(const armtol_link links[], size_t n_links, const double q[], size_t n_joints,
                                  const armtol_errata *errata, armtol_link placed[])
 {
-    const armtol_status status = armtol_links_check(links, n_links);
+    armtol_status status = armtol_links_check(links, n_links);
+    if (status == ARMTOL_OK && n_joints != armtol_joint_count(links, n_links)) {
+        status = ARMTOL_WRONG_SIZE;
+    }
+    if (status == ARMTOL_OK) {
+        status = check_placing(links, n_links, q, errata);
+    }
     if (status != ARMTOL_OK) {
         return status;
-    }
-    if (n_joints != armtol_joint_count(links, n_links)) {
-        return ARMTOL_WRONG_SIZE;
-    }
-    for (size_t i = 0; i < n_joints; i++) {
-        if (!isfinite(q[i])) {
-            return ARMTOL_NOT_FINITE;
-        }
     }
     size_t joint = 0;
     for (size_t i = 0; i < n_links; i++) {

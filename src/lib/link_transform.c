@@ -2,6 +2,7 @@
 
 #include "armtol/transform.h"
 #include "arithmetic.h"
+#include "rows.h"
 
 #include <math.h>
 
@@ -17,13 +18,7 @@ armtol_transform armtol_link_transform(const armtol_link *link, const armtol_err
         {st * cb + ct * sa * sb, ct * ca, st * sb - turn * sa * cb, link->a * st},
         {-ca * sb, sa, ca * cb, link->d},
     };
-    armtol_transform transform = armtol_transform_identity();
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 4; j++) {
-            transform.m[i][j] = store(errata, rows[i][j]);
-        }
-    }
-    return transform;
+    return transform_of_rows(rows, errata);
 }
 
 armtol_transform armtol_chain_transform(const armtol_link links[], size_t n_links, const armtol_errata *errata)

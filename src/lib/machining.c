@@ -39,7 +39,9 @@ double armtol_machining_distance(const armtol_link *link, double share, const ar
     const double a = errata->signed_mach ? link->a : fabs(link->a);
     const double d = errata->signed_mach ? link->d : fabs(link->d);
     const double h = store(errata, sqrt(a * a + d * d));
-    return store(errata, -h + sqrt(h * h + 2 * a * share + 2 * d * share + share * share + share * share));
+    /* (a + share)^2 + (d + share)^2, which rounding alone can take below zero */
+    const double square = h * h + 2 * a * share + 2 * d * share + share * share + share * share;
+    return store(errata, -h + sqrt(fmax(square, 0)));
 }
 
 double armtol_motor_tolerance(const armtol_link *link, double machining_distance, const armtol_shares *shares)

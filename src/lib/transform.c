@@ -1,10 +1,22 @@
 #include "armtol/transform.h"
 
 #include "arithmetic.h"
+#include "rows.h"
 
 armtol_transform armtol_transform_identity(void)
 {
     return (armtol_transform){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+}
+
+armtol_transform transform_of_rows(const double rows[3][4], const armtol_errata *errata)
+{
+    armtol_transform transform = armtol_transform_identity();
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 4; j++) {
+            transform.m[i][j] = store(errata, rows[i][j]);
+        }
+    }
+    return transform;
 }
 
 armtol_transform armtol_transform_product(const armtol_transform *left, const armtol_transform *right,

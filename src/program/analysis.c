@@ -1,5 +1,6 @@
 #include "analysis.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -65,6 +66,15 @@ armtol_status analysis_place(analysis *analysis, const double wish[])
                               analysis->links);
 }
 
+/* An A whose norms overflow bounds nothing: better told now, with the wish still at hand, than with the bounds. */
+static armtol_status check_norms(const analysis *analysis)
+{
+    static const double any[6] = {2, 2, 2, 2, 2, 2};
+    armtol_bounds bounds;
+    return armtol_norm_bounds(analysis->ordered, analysis->n_columns, analysis->n_lengths, any, 1,
+                              &analysis->errata, &bounds);
+}
+
 armtol_status analysis_matrix(analysis *analysis)
 {
     const size_t n_links = analysis->robot->n_links, n = analysis->n_columns;
@@ -75,11 +85,12 @@ armtol_status analysis_matrix(analysis *analysis)
     if (status == ARMTOL_OK) {
         analysis->n_lengths = armtol_column_order(analysis->columns, n, analysis->order);
         armtol_reorder(analysis->matrix, n, analysis->order, analysis->ordered);
+        status = check_norms(analysis);
     }
     return status;
 }
 
-static void part_tolerances(analysis *analysis)
+static armtol_status part_tolerances(analysis *analysis)
 {
     const size_t n_angles = analysis->n_columns - analysis->n_lengths;
     analysis->shares = armtol_parameter_shares(&analysis->bounds, analysis->n_lengths, n_angles,
@@ -93,7 +104,11 @@ static void part_tolerances(analysis *analysis)
             analysis->motor[joint++] = armtol_motor_tolerance(link, analysis->machining[i],
                                                               &analysis->shares);
         }
+        if (!isfinite(analysis->machining[i])) {
+            return ARMTOL_NOT_FINITE;
+        }
     }
+    return isfinite(analysis->shares.angle) ? ARMTOL_OK : ARMTOL_NOT_FINITE;
 }
 
 armtol_status analysis_tolerances(analysis *analysis, const double tolerances[6], double delta)
@@ -101,10 +116,10 @@ armtol_status analysis_tolerances(analysis *analysis, const double tolerances[6]
     const armtol_status status = armtol_norm_bounds(analysis->ordered, analysis->n_columns,
                                                     analysis->n_lengths, tolerances, delta,
                                                     &analysis->errata, &analysis->bounds);
-    if (status == ARMTOL_OK) {
-        memcpy(analysis->tolerances, tolerances, sizeof analysis->tolerances);
-        analysis->delta = delta;
-        part_tolerances(analysis);
+    if (status != ARMTOL_OK) {
+        return status;
     }
-    return status;
+    memcpy(analysis->tolerances, tolerances, sizeof analysis->tolerances);
+    analysis->delta = delta;
+    return part_tolerances(analysis);
 }

@@ -41,7 +41,7 @@ void analysis_free(analysis *analysis);
 
 /*
  * The steps, in this order, each once the one before has returned ARMTOL_OK. The wish, robot->n_wish numbers,
- * may be analysis->wish.
+ * may be analysis->wish. ARMTOL_NOT_FINITE where what was asked for is too large to compute with.
  */
 armtol_status analysis_place(analysis *analysis, const double wish[]);
 armtol_status analysis_matrix(analysis *analysis);

@@ -94,7 +94,7 @@ static outcome read_answer(dialogue *dialogue, const question *question, double 
     while (have < question->count) {
         char word[READER_WORD];
         outcome outcome = OUTCOME_ANSWERED;
-        number_fault fault = NUMBER_NONE;
+        number_fault fault;
         switch (reader_next(&dialogue->reader, word)) {
         case READ_WORD:
             fault = parse_stored(word, dialogue->errata, &answer[have]);
@@ -105,7 +105,7 @@ static outcome read_answer(dialogue *dialogue, const question *question, double 
             explain_number(question, have, word, fault);
             return OUTCOME_WRONG;
         case READ_TOO_LONG:
-            explain_number(question, have, word, fault);
+            explain_number(question, have, word, NUMBER_TOO_LONG);
             return OUTCOME_WRONG;
         case READ_LINE_ENDS:
             outcome = next_line(dialogue, question, &have);

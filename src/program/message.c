@@ -23,18 +23,31 @@ void message_answered(void)
     line_open = false;
 }
 
+/* A line of its own. */
+static void say(const char *before, const char *format, va_list arguments)
+{
+    fprintf(stderr, "%s%s", line_open ? "\n" : "", before);
+    vfprintf(stderr, format, arguments);
+    fputc('\n', stderr);
+    line_open = false;
+}
+
 void message(const char *format, ...)
 {
     va_list arguments;
-    if (line_open) {
-        fputc('\n', stderr);
-        line_open = false;
-    }
-    fprintf(stderr, "%s: ", name);
+    char before[32];
+    snprintf(before, sizeof before, "%s: ", name);
     va_start(arguments, format);
-    vfprintf(stderr, format, arguments);
+    say(before, format, arguments);
     va_end(arguments);
-    fputc('\n', stderr);
+}
+
+void message_note(const char *format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    say("", format, arguments);
+    va_end(arguments);
 }
 
 quoted message_quote(const char *text)
@@ -44,8 +57,7 @@ quoted message_quote(const char *text)
     size_t n = 0;
     quote.text[n++] = '"';
     for (; *text != '\0' && n <= MOST; text++) {
-        const unsigned char c = (unsigned char)*text;
-        quote.text[n++] = c < ' ' || c == 127 ? '?' : (char)c;
+        quote.text[n++] = *text >= ' ' && *text <= '~' ? *text : '?';
     }
     for (int dots = 0; *text != '\0' && dots < 3; dots++) {
         quote.text[n++] = '.';

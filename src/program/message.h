@@ -11,6 +11,13 @@ void message(const char *format, ...)
 #endif
     ;
 
+/* The same without the name: a remark. */
+void message_note(const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 1, 2)))
+#endif
+    ;
+
 /*
  * Ask on stderr; the line stays open for the answer. A message that comes before message_answered begins a
  * new line first.
@@ -18,7 +25,7 @@ void message(const char *format, ...)
 void message_prompt(const char *prompt);
 void message_answered(void);
 
-/* What a user typed, in quotes, fit to print: no control characters, and not endless. */
+/* What a user typed, in quotes, fit to print: nothing that a terminal may obey, and not endless. */
 typedef struct quoted {
     char text[48];
 } quoted;

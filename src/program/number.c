@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <strings.h>
 
@@ -68,6 +69,18 @@ number_fault number_parse(const char *text, double *value)
     return NUMBER_FINE;
 }
 
+number_text number_shortest(double value, const armtol_errata *errata)
+{
+    number_text shortest;
+    for (int precision = 6; precision <= 17; precision++) {
+        snprintf(shortest.text, sizeof shortest.text, "%.*g", precision, value);
+        if (armtol_stored(errata, strtod(shortest.text, NULL)) == value) {
+            break;
+        }
+    }
+    return shortest;
+}
+
 const char *number_fault_text(number_fault fault)
 {
     switch (fault) {
@@ -75,6 +88,8 @@ const char *number_fault_text(number_fault fault)
         return "is not a finite number";
     case NUMBER_TOO_LARGE:
         return "is too large a number";
+    case NUMBER_TOO_LONG:
+        return "is too long";
     default:
         return "is not a number";
     }

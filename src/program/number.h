@@ -1,11 +1,14 @@
 #ifndef PROGRAM_NUMBER_H
 #define PROGRAM_NUMBER_H
 
+#include "armtol/errata.h"
+
 typedef enum number_fault {
     NUMBER_FINE,
     NUMBER_NONE,       /* not a decimal number */
     NUMBER_NOT_FINITE, /* nan, inf */
-    NUMBER_TOO_LARGE   /* beyond what a double holds */
+    NUMBER_TOO_LARGE,  /* beyond what a double holds */
+    NUMBER_TOO_LONG    /* more characters than a word may have */
 } number_fault;
 
 /*
@@ -13,6 +16,12 @@ typedef enum number_fault {
  * sign, digits with at most one point, exponent. The whole text has to be one; *value only changes if it is.
  */
 number_fault number_parse(const char *text, double *value);
+
+/* The shortest decimal text that is stored as this value again, of six digits or more. */
+typedef struct number_text {
+    char text[32];
+} number_text;
+number_text number_shortest(double value, const armtol_errata *errata);
 
 /* What is wrong, to come after the quoted text: "is not a number". */
 const char *number_fault_text(number_fault fault);

@@ -14,10 +14,22 @@ typedef struct draft {
     bool exists;
 } draft;
 
+/* Where standard input or error is closed its number is free: a folder there would be read or written to. */
+static int open_above_standard(const char *path)
+{
+    const int descriptor = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0 || descriptor > STDERR_FILENO) {
+        return descriptor;
+    }
+    const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    close(descriptor);
+    return moved;
+}
+
 bool folder_open(folder *folder, const char *path)
 {
     folder->path = path;
-    folder->descriptor = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    folder->descriptor = open_above_standard(path);
     if (folder->descriptor < 0) {
         message("output folder \"%s\": %s", path, strerror(errno));
         return false;
@@ -54,13 +66,28 @@ static bool may_replace(const folder *folder, const char *name)
     return true;
 }
 
-/* A new file under a name of its own; a draft that a killed run left behind under that name goes. */
+/*
+ * A new file under a name of its own. One that is taken is somebody else's, a killed run's or one on another machine
+ * that shares the folder and happens to have our number: it is left alone.
+ */
+static int create(const folder *folder, const outfile *file, draft *draft)
+{
+    enum { TRIES = 100 };
+    int descriptor = -1;
+    for (int n = 0; n < TRIES && descriptor < 0; n++) {
+        snprintf(draft->name, sizeof draft->name, ".%s.%ld-%d.part", file->name, (long)getpid(), n);
+        descriptor = openat(folder->descriptor, draft->name,
+                            O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+        if (descriptor < 0 && errno != EEXIST) {
+            break;
+        }
+    }
+    return descriptor;
+}
+
 static FILE *draft_open(const folder *folder, const outfile *file, draft *draft)
 {
-    snprintf(draft->name, sizeof draft->name, ".%s.%ld.part", file->name, (long)getpid());
-    unlinkat(folder->descriptor, draft->name, 0);
-    const int descriptor = openat(folder->descriptor, draft->name,
-                                  O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+    const int descriptor = create(folder, file, draft);
     if (descriptor < 0) {
         return NULL;
     }
@@ -128,21 +155,27 @@ static void remove_drafts(const folder *folder, const draft drafts[], size_t cou
     }
 }
 
+/* A signal that would end the program waits until no draft is left behind; one that tells of a crash does not. */
+static void hold_signals(sigset_t *held)
+{
+    static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
+    sigfillset(held);
+    for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++) {
+        sigdelset(held, crashes[i]);
+    }
+}
+
 bool outfiles_write(const folder *folder, const outfile files[], size_t count, const void *data)
 {
     enum { MOST = 4 };
     draft drafts[MOST] = {{{0}, false}};
-    sigset_t stopping, before;
+    sigset_t held, before;
 
     if (count > MOST) {
         return complain(folder, files[MOST].name, "too many files at once");
     }
-    /* a signal that ends the program waits until no draft is left behind */
-    sigemptyset(&stopping);
-    sigaddset(&stopping, SIGINT);
-    sigaddset(&stopping, SIGTERM);
-    sigaddset(&stopping, SIGHUP);
-    sigprocmask(SIG_BLOCK, &stopping, &before);
+    hold_signals(&held);
+    sigprocmask(SIG_BLOCK, &held, &before);
     const bool fine = write_all(folder, files, count, data, drafts);
     remove_drafts(folder, drafts, count);
     sigprocmask(SIG_SETMASK, &before, NULL);

@@ -7,7 +7,8 @@
 
 /*
  * Files that appear whole or not at all. Each is written under a temporary name in its folder and renamed when
- * all that belong together are complete. Until then what stood there before is untouched.
+ * all that belong together are complete. Until then what stood there before is untouched. Only where the folder
+ * refuses the second of two renames (another user's file in a sticky folder, say) does the first one stay.
  */
 
 typedef struct folder {
@@ -25,7 +26,7 @@ typedef struct outfile {
 bool folder_open(folder *folder, const char *path);
 void folder_close(folder *folder);
 
-/* Write them all or none. False after a message that names the file. */
+/* Write them all, or none as far as said above. False after a message that names the file. */
 bool outfiles_write(const folder *folder, const outfile files[], size_t count, const void *data);
 
 #endif

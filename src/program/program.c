@@ -4,6 +4,7 @@
 #include "dialogue.h"
 #include "exit_code.h"
 #include "message.h"
+#include "number.h"
 #include "options.h"
 #include "outfile.h"
 #include "report.h"
@@ -13,11 +14,11 @@
 #include <stdio.h>
 #include <unistd.h>
 
-/* What the judges of the answers need. */
+/* What the judges of the answers need, and what they find out. */
 typedef struct session {
     const program *program;
     analysis *analysis;
-    const double *tolerances;
+    double tolerances[6];
 } session;
 
 static void print_help(const program *program)
@@ -75,54 +76,75 @@ static int print(action action, const program *program)
 
 static void explain_reach(const program *program, const armtol_reach *reach)
 {
-    /* at the very edge rounding can refuse what lies within: which edge it was is then the nearer one */
     const bool far = reach->distance > (reach->nearest + reach->farthest) / 2;
     const double excess = far ? reach->distance - reach->farthest : reach->nearest - reach->distance;
-    message("desired position: out of reach: %s would be %.9g mm from %s, %.3g mm too %s; "
-            "expected between %.9g and %.9g mm",
-            program->reach_subject, reach->distance, program->reach_origin, fmax(excess, 0),
-            far ? "far" : "near", reach->nearest, reach->farthest);
+    char how[64] = "at the very edge, where rounding decides";
+    if (excess > 1e-3) {
+        snprintf(how, sizeof how, "%.6g mm too %s", excess, far ? "far" : "near");
+    }
+    message("desired position: out of reach: %s would be %.9g mm from %s, %s; expected between %.9g and %.9g mm",
+            program->reach_subject, reach->distance, program->reach_origin, how, reach->nearest,
+            reach->farthest);
 }
 
+/* A wish is fine when the arm gets there and A can be computed there. */
 static bool judge_wish(const double wish[], void *context)
 {
     const session *session = context;
-    const armtol_status status = analysis_place(session->analysis, wish);
-    if (status == ARMTOL_OUT_OF_REACH) {
-        explain_reach(session->program, &session->analysis->reach);
-    } else if (status == ARMTOL_SINGULAR) {
-        message("desired position: %s", session->program->singular_text);
-    } else if (status != ARMTOL_OK) {
-        message("desired position: %s", armtol_status_text(status));
+    const program *program = session->program;
+    armtol_status status = analysis_place(session->analysis, wish);
+    if (status == ARMTOL_OK) {
+        status = analysis_matrix(session->analysis);
     }
-    return status == ARMTOL_OK;
+    switch (status) {
+    case ARMTOL_OK:
+        return true;
+    case ARMTOL_OUT_OF_REACH:
+        explain_reach(program, &session->analysis->reach);
+        return false;
+    case ARMTOL_SINGULAR:
+        message("desired position: singular: %s", program->singular_text);
+        return false;
+    case ARMTOL_NOT_FINITE:
+        message("desired position: too large to compute with; expected numbers of an arm's size");
+        return false;
+    default:
+        message("desired position: %s", armtol_status_text(status));
+        return false;
+    }
 }
 
 static const char *const tolerance_names[6] = {"dx", "dy", "dz", "dwx", "dwy", "dwz"};
 
 static bool judge_tolerances(const double tolerances[], void *context)
 {
-    (void)context;
+    const armtol_errata *errata = &((const session *)context)->analysis->errata;
     for (int i = 0; i < 6; i++) {
         if (!(tolerances[i] > 0)) {
-            message("%s: %g is no tolerance; expected a number greater than 0", tolerance_names[i],
-                    tolerances[i]);
+            message("%s: %s is no tolerance; expected a number greater than 0", tolerance_names[i],
+                    number_shortest(tolerances[i], errata).text);
             return false;
         }
     }
     return true;
 }
 
+/* A delta is fine when tolerances of the parts come out of it. */
 static bool judge_delta(const double delta[], void *context)
 {
-    const double *t = ((const session *)context)->tolerances;
-    if (armtol_tolerances_check(t, delta[0]) == ARMTOL_OK) {
-        return true;
+    const session *session = context;
+    const double *t = session->tolerances;
+    const armtol_status status = analysis_tolerances(session->analysis, t, delta[0]);
+    if (status == ARMTOL_BAD_DELTA) {
+        const armtol_errata *errata = &session->analysis->errata;
+        message("delta: %s does not fit; expected a number greater than 0 and less than %s, the smallest of "
+                "dx, dy and dz",
+                number_shortest(delta[0], errata).text,
+                number_shortest(fmin(t[0], fmin(t[1], t[2])), errata).text);
+    } else if (status != ARMTOL_OK) {
+        message("delta and tolerances: too large to compute with; expected numbers of an arm's size");
     }
-    message("delta: %g does not fit; expected a number greater than 0 and less than %g, the smallest of "
-            "dx, dy and dz",
-            delta[0], fmin(t[0], fmin(t[1], t[2])));
-    return false;
+    return status == ARMTOL_OK;
 }
 
 /* Write two files of this run together. False after a message. */
@@ -140,12 +162,6 @@ static bool write_pair(const session *session, const folder *folder, int run, co
     return outfiles_write(folder, files, 2, &report);
 }
 
-static int fail(const char *what, armtol_status status)
-{
-    message("%s: %s", what, armtol_status_text(status));
-    return EXIT_FAILED;
-}
-
 /* From the wish to the files of A. */
 static int first_part(session *session, dialogue *dialogue, const folder *folder, int run)
 {
@@ -157,10 +173,6 @@ static int first_part(session *session, dialogue *dialogue, const folder *folder
     }
     report_joints(stderr, session->analysis);
     message_answered();
-    const armtol_status status = analysis_matrix(session->analysis);
-    if (status != ARMTOL_OK) {
-        return fail("A", status);
-    }
     return write_pair(session, folder, run, "a", report_matrix, "at", report_ordered) ? EXIT_OK : EXIT_FAILED;
 }
 
@@ -170,19 +182,13 @@ static int second_part(session *session, dialogue *dialogue, const folder *folde
     static const char *const delta_name[1] = {"delta"};
     const question accuracy = {"enter desired position and orientation tolerances: ", tolerance_names, 6};
     const question share = {"enter desired delta: ", delta_name, 1};
-    double tolerances[6], delta[1];
-    int code = dialogue_ask(dialogue, &accuracy, judge_tolerances, session, tolerances);
+    double delta[1];
+    int code = dialogue_ask(dialogue, &accuracy, judge_tolerances, session, session->tolerances);
+    if (code == EXIT_OK) {
+        code = dialogue_ask(dialogue, &share, judge_delta, session, delta);
+    }
     if (code != EXIT_OK) {
         return code;
-    }
-    session->tolerances = tolerances;
-    code = dialogue_ask(dialogue, &share, judge_delta, session, delta);
-    if (code != EXIT_OK) {
-        return code;
-    }
-    const armtol_status status = analysis_tolerances(session->analysis, tolerances, delta[0]);
-    if (status != ARMTOL_OK) {
-        return fail("bounds", status);
     }
     return write_pair(session, folder, run, "tol", report_tolerances, "mach", report_machining)
                ? EXIT_OK
@@ -197,11 +203,11 @@ static void warn_of_errata(const program *program, const armtol_errata *errata)
         kept += armtol_erratum_is_kept(errata, i);
     }
     if (kept == armtol_errata_count()) {
-        fprintf(stderr, "These are the numbers of 1987, errata included; for an arm to be built: %s --fix all\n",
-                program->name);
+        message_note("These are the numbers of 1987, errata included; for an arm to be built: %s --fix all",
+                     program->name);
     } else if (kept > 0) {
-        fprintf(stderr, "Some errata of 1987 are still included; for an arm to be built: %s --fix all\n",
-                program->name);
+        message_note("Some errata of 1987 are still included; for an arm to be built: %s --fix all",
+                     program->name);
     }
 }
 
@@ -209,7 +215,7 @@ static int run(const program *program, const options *options, const folder *fol
 {
     analysis analysis;
     dialogue dialogue;
-    session session = {program, &analysis, NULL};
+    session session = {program, &analysis, {0}};
     if (!analysis_start(&analysis, program->robot, &options->errata)) {
         message("out of memory");
         return EXIT_FAILED;

@@ -13,7 +13,7 @@ typedef struct program {
     const char *const *wish_letters; /* in the files: x, y, z, g ... */
     const char *reach_subject;       /* "the wrist would be 700 mm from the shoulder" */
     const char *reach_origin;
-    const char *singular_text;
+    const char *singular_text;       /* NULL where no wish is singular */
 } program;
 
 extern const program program_intella; /* the Intelledex 605T */

@@ -31,7 +31,6 @@ const program program_adpta = {
     .wish_letters = adpta_letters,
     .reach_subject = "(x, y)",
     .reach_origin = "the axis of joint 1",
-    .singular_text = "any joint 1 would do",
 };
 
 const program *program_named(const char *name)

@@ -19,6 +19,12 @@ static bool is_space(int c)
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+/* A zero byte would end a word or a line early, and make part of it pass for the whole. */
+static char visible(int c)
+{
+    return c == '\0' ? '?' : (char)c;
+}
+
 static int next_character(reader *reader)
 {
     if (!reader->interactive) {
@@ -56,8 +62,7 @@ read_result reader_next(reader *reader, char word[READER_WORD])
             cut = true;
             break;
         }
-        /* a zero byte would end the word early and make part of it pass for the whole */
-        word[length++] = c == '\0' ? '?' : (char)c;
+        word[length++] = visible(c);
     }
     word[length] = '\0';
     return cut ? READ_TOO_LONG : READ_WORD;
@@ -65,11 +70,18 @@ read_result reader_next(reader *reader, char word[READER_WORD])
 
 read_result reader_load_line(reader *reader)
 {
+    size_t length = 0;
+    int c = getc(reader->stream);
     reader_drop_line(reader);
-    if (fgets(reader->line, sizeof reader->line, reader->stream) == NULL) {
-        reader_drop_line(reader);
+    if (c == EOF) {
         return ferror(reader->stream) ? READ_FAILED : READ_END;
     }
+    for (; c != EOF && c != '\n'; c = getc(reader->stream)) {
+        if (length < sizeof reader->line - 1) { /* more than a terminal's line can hold */
+            reader->line[length++] = visible(c);
+        }
+    }
+    reader->line[length] = '\0';
     return READ_LINE_ENDS;
 }
 

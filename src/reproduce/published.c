@@ -44,13 +44,20 @@ static bool copy(char *to, size_t size, const char *from)
     return true;
 }
 
+/* One to three digits; 0 for anything else. */
+static int whole_number(const char *text)
+{
+    const size_t length = strlen(text);
+    return length <= 3 && strspn(text, "0123456789") == length ? atoi(text) : 0;
+}
+
 static bool parse(char *line, published_number *number)
 {
     char *fields[FIELDS + 1];
     if (split(line, fields) != FIELDS) {
         return false;
     }
-    number->case_number = atoi(fields[1]);
+    number->case_number = whole_number(fields[1]);
     number->without_sign = strcmp(fields[5], "unsigned") == 0;
     return copy(number->program, sizeof number->program, fields[0]) && number->case_number > 0 &&
            role_of(fields[2], &number->role) && copy(number->quantity, sizeof number->quantity, fields[3]) &&
@@ -97,7 +104,14 @@ bool published_read(const char *path, published_list *list)
         fprintf(stderr, "reproduce: %s: %s\n", path, strerror(errno));
         return false;
     }
-    const bool fine = read_all(stream, path, list);
+    bool fine = read_all(stream, path, list);
+    if (fine && ferror(stream)) {
+        fprintf(stderr, "reproduce: %s: cannot be read\n", path);
+        fine = false;
+    } else if (fine && list->count == 0) {
+        fprintf(stderr, "reproduce: %s: holds no numbers\n", path);
+        fine = false;
+    }
     fclose(stream);
     return fine;
 }

@@ -157,13 +157,27 @@ static bool run_in(const run_settings *settings, const published_number *number,
     return fine;
 }
 
+/* What an earlier run has left must not pass for what this one writes. */
+static bool remove_old(const published_number *number, const char *folder)
+{
+    static const char *const parts[] = {"a", "at", "tol", "mach"};
+    const program *program = program_named(number->program);
+    bool fine = true;
+    for (int i = 0; program != NULL && i < 4 && fine; i++) {
+        char *path = path_of("%s/%s%s.1", folder, program->file_prefix, parts[i]);
+        fine = path != NULL && (remove(path) == 0 || errno == ENOENT || complain(path));
+        free(path);
+    }
+    return fine;
+}
+
 bool run_case(const run_settings *settings, const published_list *list, size_t first)
 {
     const published_number *number = &list->numbers[first];
     char *folder = case_folder(settings, number);
     char *input = folder != NULL ? path_of("%s/input", folder) : NULL;
-    const bool fine = input != NULL && make_folders(folder) && write_input(input, list, first) &&
-                      run_in(settings, number, folder, input);
+    const bool fine = input != NULL && make_folders(folder) && remove_old(number, folder) &&
+                      write_input(input, list, first) && run_in(settings, number, folder, input);
     free(folder);
     free(input);
     return fine;
@@ -185,6 +199,7 @@ static char *append_file(char *text, size_t *length, const char *path)
         got = fine ? fread(text + *length, 1, CHUNK, stream) : 0;
     }
     if (stream != NULL) {
+        fine = !ferror(stream) && fine;
         fclose(stream);
     }
     if (!fine) {
