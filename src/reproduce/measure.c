@@ -1,6 +1,7 @@
 #include "measure.h"
 
 #include "compare.h"
+#include "message.h"
 #include "recompute.h"
 
 #include <stdio.h>
@@ -25,7 +26,7 @@ static table_row *add_row(table *table, const char *label)
 {
     table_row *row = table_add(table);
     if (row == NULL) {
-        fprintf(stderr, "reproduce: out of memory\n");
+        message("out of memory");
     } else {
         table_set(row, 0, "%s", label);
     }

@@ -1,5 +1,7 @@
 #include "published.h"
 
+#include "message.h"
+
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,12 +86,12 @@ static bool read_all(FILE *stream, const char *path, published_list *list)
             continue;
         }
         if (!parse(line, &number)) {
-            fprintf(stderr, "reproduce: %s:%d: expected program, case, role, quantity, value and remark, "
-                            "a tab between each\n", path, at);
+            message("%s:%d: expected program, case, role, quantity, value and remark, "
+                            "a tab between each", path, at);
             return false;
         }
         if (!append(list, &number)) {
-            fprintf(stderr, "reproduce: out of memory\n");
+            message("out of memory");
             return false;
         }
     }
@@ -101,15 +103,15 @@ bool published_read(const char *path, published_list *list)
     *list = (published_list){NULL, 0};
     FILE *stream = fopen(path, "r");
     if (stream == NULL) {
-        fprintf(stderr, "reproduce: %s: %s\n", path, strerror(errno));
+        message("%s: %s", path, strerror(errno));
         return false;
     }
     bool fine = read_all(stream, path, list);
     if (fine && ferror(stream)) {
-        fprintf(stderr, "reproduce: %s: cannot be read\n", path);
+        message("%s: cannot be read", path);
         fine = false;
     } else if (fine && list->count == 0) {
-        fprintf(stderr, "reproduce: %s: holds no numbers\n", path);
+        message("%s: holds no numbers", path);
         fine = false;
     }
     fclose(stream);

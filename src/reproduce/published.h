@@ -22,7 +22,7 @@ typedef struct published_list {
     size_t count;
 } published_list;
 
-/* False, after a message on stderr that says file and line. The caller frees the list either way. */
+/* False, after a message that says file and line. The caller frees the list either way. */
 bool published_read(const char *path, published_list *list);
 void published_free(published_list *list);
 

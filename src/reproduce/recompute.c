@@ -1,5 +1,6 @@
 #include "recompute.h"
 
+#include "message.h"
 #include "program.h"
 #include "report.h"
 
@@ -41,12 +42,12 @@ bool recompute(const published_list *list, size_t first, const armtol_errata *er
     const published_number *number = &list->numbers[first];
     const program *program = program_named(number->program);
     if (program == NULL || !analysis_start(analysis, program->robot, errata)) {
-        fprintf(stderr, "reproduce: %s: %s\n", number->program, program == NULL ? "unknown program" : "out of memory");
+        message("%s: %s", number->program, program == NULL ? "unknown program" : "out of memory");
         return false;
     }
     const armtol_status status = run_steps(list, first, analysis);
     if (status != ARMTOL_OK) {
-        fprintf(stderr, "reproduce: %s, case %d: %s\n", number->program, number->case_number,
+        message("%s, case %d: %s", number->program, number->case_number,
                 armtol_status_text(status));
         analysis_free(analysis);
     }
@@ -73,7 +74,7 @@ char *recompute_files(const published_list *list, size_t first, const armtol_err
     }
     analysis_free(&analysis);
     if (text == NULL) {
-        fprintf(stderr, "reproduce: out of memory\n");
+        message("out of memory");
     }
     return text;
 }

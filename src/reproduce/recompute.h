@@ -9,7 +9,7 @@
 
 /*
  * Run the case that begins at number `first` in this process, with these errata. True: the analysis is complete
- * and has to be freed. False, after a message on stderr: there is nothing to free.
+ * and has to be freed. False, after a message: there is nothing to free.
  */
 bool recompute(const published_list *list, size_t first, const armtol_errata *errata, analysis *analysis);
 

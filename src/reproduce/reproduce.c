@@ -1,7 +1,9 @@
 /* reproduce: run intella and adpta on the paper's cases and hold what comes out against the paper. */
 
 #include "compare.h"
+#include "exit_code.h"
 #include "measure.h"
+#include "message.h"
 #include "published.h"
 #include "run_case.h"
 
@@ -22,8 +24,7 @@ typedef struct arguments {
 
 static int usage(void)
 {
-    fprintf(stderr,
-            "reproduce: expected one of\n"
+    message("expected one of\n"
             "  reproduce [--quiet | --misses] [--legacy [--runner=COMMAND]] PROGRAMS PUBLISHED OUT\n"
             "  reproduce --errata | --walk | --portability [--format=text|markdown|tsv] PUBLISHED\n"
             "\n"
@@ -36,8 +37,8 @@ static int usage(void)
             "  --runner       what to start them with: an emulator\n"
             "  --errata       the bounds with each erratum corrected alone, and with each kept alone\n"
             "  --walk         the bounds from 1987 to all corrected, an erratum at a time\n"
-            "  --portability  the published numbers for float and double storage, 3.14159 and pi\n");
-    return 2;
+            "  --portability  the published numbers for float and double storage, 3.14159 and pi");
+    return EXIT_WRONG;
 }
 
 enum { OPTION_FORMAT = 1000, OPTION_QUIET, OPTION_MISSES, OPTION_LEGACY, OPTION_RUNNER };
@@ -246,14 +247,15 @@ int main(int argc, char *argv[])
 {
     arguments arguments;
     published_list list;
+    message_start("reproduce");
     if (!parse(argc, argv, &arguments)) {
         return usage();
     }
     bool fine = published_read(arguments.published, &list) && reproduce(&arguments, &list);
     if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, "reproduce: cannot write to standard output\n");
+        message("cannot write to standard output");
         fine = false;
     }
     published_free(&list);
-    return fine ? 0 : 1;
+    return fine ? EXIT_OK : EXIT_FAILED;
 }

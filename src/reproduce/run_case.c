@@ -1,5 +1,6 @@
 #include "run_case.h"
 
+#include "message.h"
 #include "program.h"
 
 #include <errno.h>
@@ -16,7 +17,7 @@ extern char **environ;
 
 static bool complain(const char *path)
 {
-    fprintf(stderr, "reproduce: %s: %s\n", path, strerror(errno));
+    message("%s: %s", path, strerror(errno));
     return false;
 }
 
@@ -30,7 +31,7 @@ char *path_of(const char *format, ...)
     if (path != NULL) {
         vsnprintf(path, (size_t)length + 1, format, again);
     } else {
-        fprintf(stderr, "reproduce: out of memory\n");
+        message("out of memory");
     }
     va_end(again);
     va_end(arguments);
@@ -111,7 +112,7 @@ static bool judge(int status, const char *program, const char *dialogue)
         return complain(program);
     }
     if (status > 0) {
-        fprintf(stderr, "reproduce: %s ended with %d; what it said is in %s\n", program, status, dialogue);
+        message("%s ended with %d; what it said is in %s", program, status, dialogue);
     }
     return status == 0;
 }

@@ -18,7 +18,7 @@ typedef struct run_settings {
 /*
  * Run the case that begins at number `first` as a process of its own. Its folder, OUT/PROGRAM-CASE, then holds
  * the four files, `input` (what the program read) and `dialogue` (what it said).
- * False, after a message on stderr, where that failed.
+ * False, after a message, where that failed.
  */
 bool run_case(const run_settings *settings, const published_list *list, size_t first);
 

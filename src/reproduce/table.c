@@ -18,7 +18,7 @@ bool table_format_of(const char *name, table_format *format)
 
 void table_start(table *table, size_t n_columns)
 {
-    table->n_columns = n_columns;
+    table->n_columns = n_columns < TABLE_COLUMNS ? n_columns : TABLE_COLUMNS;
     table->n_rows = 0;
     table->rows = NULL;
 }
@@ -44,7 +44,9 @@ void table_set(table_row *row, size_t column, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(row->cells[column], TABLE_CELL, format, arguments);
+    if (column < TABLE_COLUMNS) {
+        vsnprintf(row->cells[column], TABLE_CELL, format, arguments);
+    }
     va_end(arguments);
 }
 

@@ -5,7 +5,10 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* A table of texts, to be printed for people, as Markdown or as tab-separated values. */
+/*
+ * A table of texts, to be printed for people, as Markdown or as tab-separated values. Cells are plain ASCII, without
+ * tabs and without Markdown's bars: nothing is escaped.
+ */
 
 typedef enum table_format { FORMAT_TEXT, FORMAT_MARKDOWN, FORMAT_TSV, FORMAT_COUNT } table_format;
 
@@ -24,10 +27,11 @@ typedef struct table {
 /* "text", "markdown" or "tsv". */
 bool table_format_of(const char *name, table_format *format);
 
+/* n_columns is at most TABLE_COLUMNS. */
 void table_start(table *table, size_t n_columns);
 void table_free(table *table);
 
-/* A new row of empty cells; NULL where memory is short. */
+/* A new row of empty cells, to be used until the next is added; NULL where memory is short. */
 table_row *table_add(table *table);
 
 /* printf into a cell; what is too long is cut. */
