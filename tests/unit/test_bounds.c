@@ -4,6 +4,7 @@
 #include "unity.h"
 
 #include <math.h>
+#include <string.h>
 
 void setUp(void)
 {
@@ -106,6 +107,27 @@ static void test_more_lengths_than_columns_are_refused(void)
                                                                 &armtol_errata_none, &bounds));
 }
 
+/* In double 1e200 squared overflows, in float 1e20 does: no bound may come out of such a row. */
+static void test_a_norm_that_overflows_is_told(void)
+{
+    const double tolerances[6] = {1, 1, 1, 1, 1, 1};
+    for (int i = 0; i < 30; i++) {
+        double matrix[30];
+        armtol_bounds bounds = {42, 42};
+        memcpy(matrix, ordered, sizeof matrix);
+        matrix[i] = 1e20;
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_norm_bounds(matrix, 5, 2, tolerances, 0.5,
+                                                            &armtol_errata_none, &bounds));
+        bounds.angle = 42;
+        TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_norm_bounds(matrix, 5, 2, tolerances, 0.5,
+                                                                    &armtol_errata_1987, &bounds));
+        matrix[i] = i % 2 == 0 ? 1e200 : NAN;
+        TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_norm_bounds(matrix, 5, 2, tolerances, 0.5,
+                                                                    &armtol_errata_none, &bounds));
+        check_same(42, bounds.angle, "the output after an error");
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -115,5 +137,6 @@ int main(void)
     RUN_TEST(test_each_tolerance_has_to_be_positive_and_finite);
     RUN_TEST(test_delta_lies_between_zero_and_the_smallest_linear_tolerance);
     RUN_TEST(test_more_lengths_than_columns_are_refused);
+    RUN_TEST(test_a_norm_that_overflows_is_told);
     return UNITY_END();
 }

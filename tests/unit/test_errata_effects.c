@@ -318,9 +318,7 @@ static void test_float(void)
 /* The label lines of the tolerance file, one after the other. */
 static void check_labels(const char *expected)
 {
-    static const char *const letters[] = {"x", "y", "z", "t"};
-    const program program = {.title = "", .wish_letters = letters, .robot = with.robot};
-    const report report = {&program, &with};
+    const report report = {&program_adpta, &with};
     char *text = NULL, seen[64] = "";
     size_t size = 0;
     FILE *stream = open_memstream(&text, &size);

@@ -120,6 +120,17 @@ static void test_placing_refuses_what_does_not_fit(void)
     check_same(-1, placed[0].a, "the output after an error");
 }
 
+static void test_placing_refuses_a_sum_that_overflows(void)
+{
+    const double q[] = {0.5, 3e38};
+    armtol_link placed[2] = {{.a = -1}, {.a = -1}};
+    good_arm();
+    arm[1].d = 3e38;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_links_place(arm, 2, q, 2, &armtol_errata_1987, placed));
+    check_same(-1, placed[0].a, "the output after an error");
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(arm, 2, q, 2, &armtol_errata_none, placed));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -131,5 +142,6 @@ int main(void)
     RUN_TEST(test_joint_values_are_added_where_the_joint_moves);
     RUN_TEST(test_placing_in_place_and_past_fixed_links);
     RUN_TEST(test_placing_refuses_what_does_not_fit);
+    RUN_TEST(test_placing_refuses_a_sum_that_overflows);
     return UNITY_END();
 }

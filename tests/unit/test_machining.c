@@ -73,6 +73,18 @@ static void test_signed_mach_lets_a_negative_length_make_a_negative_tolerance(vo
     check_within(1e-15, sqrt(17) - 3, armtol_machining_distance(&left, 1, &armtol_errata_none), "a < 0");
 }
 
+/* a = d = -share: the corner comes back onto the other axis, h + rd = 0, and rounding must not make it nan. */
+static void test_a_signed_length_of_its_own_share_is_no_nan(void)
+{
+    armtol_errata kept = armtol_errata_none;
+    kept.signed_mach = true;
+    for (int n = 1; n < 100; n++) {
+        const double share = 0.1 * n;
+        const armtol_link link = {.a = -share, .d = -share};
+        check_within(1e-6, -share * sqrt(2), armtol_machining_distance(&link, share, &kept), "share %g", share);
+    }
+}
+
 static void test_motors_follow_their_joints(void)
 {
     const armtol_shares shares = {1, 2};
@@ -92,6 +104,7 @@ int main(void)
     RUN_TEST(test_no_parameters_have_no_share);
     RUN_TEST(test_the_machining_distance_in_closed_form);
     RUN_TEST(test_signed_mach_lets_a_negative_length_make_a_negative_tolerance);
+    RUN_TEST(test_a_signed_length_of_its_own_share_is_no_nan);
     RUN_TEST(test_motors_follow_their_joints);
     return UNITY_END();
 }

@@ -62,11 +62,30 @@ static void test_overflow_is_told_apart(void)
     check_fault(NUMBER_TOO_LARGE, "-1e999999999999");
 }
 
+static void check_shortest(const char *expected, double value, const armtol_errata *errata)
+{
+    TEST_ASSERT_EQUAL_STRING(expected, number_shortest(armtol_stored(errata, value), errata).text);
+}
+
+/* The neighbours of 0.5 are 6e-8 away as floats, 1.1e-16 as doubles. */
+static void test_a_stored_number_is_shown_as_it_was_typed(void)
+{
+    check_shortest("0.5", 0.5, &armtol_errata_1987);
+    check_shortest("0.1", 0.1, &armtol_errata_1987);
+    check_shortest("0.500001", 0.500001, &armtol_errata_1987);
+    check_shortest("0.5000001", 0.5000001, &armtol_errata_1987);
+    check_shortest("0.5", 0.50000000001, &armtol_errata_1987);
+    check_shortest("0.50000000001", 0.50000000001, &armtol_errata_none);
+    check_shortest("-1e-50", -1e-50, &armtol_errata_none);
+    check_shortest("0.30000000000000004", 0.1 + 0.2, &armtol_errata_none);
+}
+
 static void test_each_fault_has_a_text_of_its_own(void)
 {
     TEST_ASSERT_TRUE(strcmp(number_fault_text(NUMBER_NONE), number_fault_text(NUMBER_NOT_FINITE)) != 0);
     TEST_ASSERT_TRUE(strcmp(number_fault_text(NUMBER_NONE), number_fault_text(NUMBER_TOO_LARGE)) != 0);
     TEST_ASSERT_TRUE(strcmp(number_fault_text(NUMBER_TOO_LARGE), number_fault_text(NUMBER_NOT_FINITE)) != 0);
+    TEST_ASSERT_TRUE(strcmp(number_fault_text(NUMBER_TOO_LARGE), number_fault_text(NUMBER_TOO_LONG)) != 0);
 }
 
 int main(void)
@@ -76,6 +95,7 @@ int main(void)
     RUN_TEST(test_what_is_no_decimal_number_is_refused);
     RUN_TEST(test_nan_and_infinity_are_told_apart);
     RUN_TEST(test_overflow_is_told_apart);
+    RUN_TEST(test_a_stored_number_is_shown_as_it_was_typed);
     RUN_TEST(test_each_fault_has_a_text_of_its_own);
     return UNITY_END();
 }

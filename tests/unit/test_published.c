@@ -1,16 +1,13 @@
 /* Every number that the paper prints, from the library and the reports, in this process. */
 
-#include "analysis.h"
 #include "compare.h"
-#include "program.h"
 #include "published.h"
-#include "report.h"
+#include "recompute.h"
 
 #include "unity.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 static published_list published;
 
@@ -24,46 +21,6 @@ void tearDown(void)
     published_free(&published);
 }
 
-/* The numbers of one role, as floats. */
-static void given(size_t first, published_role role, double values[])
-{
-    for (size_t i = first; i < published.count; i++) {
-        const published_number *number = &published.numbers[i];
-        if (published_same_case(number, &published.numbers[first]) && number->role == role) {
-            *values++ = armtol_stored(&armtol_errata_1987, strtod(number->value, NULL));
-        }
-    }
-}
-
-static char *files_of(size_t first)
-{
-    static const char *const letters[] = {"x", "y", "z", "a", "b", "c"};
-    const bool intella = strcmp(published.numbers[first].program, "intella") == 0;
-    const armtol_robot *robot = intella ? &armtol_intelledex_605t : &armtol_adept_one;
-    const program program = {.title = "", .wish_letters = letters, .robot = robot};
-    double wish[6], tolerances[6], delta;
-    analysis analysis;
-    char *text = NULL;
-    size_t size = 0;
-
-    given(first, ROLE_WISH, wish);
-    given(first, ROLE_TOLERANCE, tolerances);
-    given(first, ROLE_DELTA, &delta);
-    TEST_ASSERT_TRUE(analysis_start(&analysis, robot, &armtol_errata_1987));
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_place(&analysis, wish));
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_matrix(&analysis));
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_tolerances(&analysis, tolerances, delta));
-
-    FILE *stream = open_memstream(&text, &size);
-    TEST_ASSERT_NOT_NULL(stream);
-    const report report = {&program, &analysis};
-    report_tolerances(stream, &report);
-    report_machining(stream, &report);
-    fclose(stream);
-    analysis_free(&analysis);
-    return text;
-}
-
 static void test_every_published_number(void)
 {
     size_t results = 0;
@@ -72,7 +29,8 @@ static void test_every_published_number(void)
         const published_number *number = &published.numbers[i];
         if (published_begins_case(&published, i)) {
             free(files);
-            files = files_of(i);
+            files = recompute_files(&published, i, &armtol_errata_1987);
+            TEST_ASSERT_NOT_NULL(files);
         }
         if (number->role == ROLE_RESULT) {
             char what[256];

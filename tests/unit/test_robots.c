@@ -196,6 +196,23 @@ static void test_the_shoulder_on_the_tool_axis_is_singular(void)
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_intelledex_605t.inverse(beside, &armtol_errata_1987, q, &reach));
 }
 
+static void test_out_of_reach_comes_before_singular(void)
+{
+    const double far_above[] = {0, 0, 5000, 0, 0, 0}, too_near[] = {0, 0, 500, 0, 0, 0};
+    check_refused(&armtol_intelledex_605t, ARMTOL_OUT_OF_REACH, far_above, 5000 - 100 - 359.7);
+    check_refused(&armtol_intelledex_605t, ARMTOL_OUT_OF_REACH, too_near, 500 - 100 - 359.7);
+}
+
+static void test_a_joint_value_that_overflows_is_told(void)
+{
+    const double wish[] = {200, 200, 1e300, 0};
+    double q[4] = {unset};
+    armtol_reach reach;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_adept_one.inverse(wish, &armtol_errata_1987, q, &reach));
+    check_same(unset, q[0], "the output after an error");
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_adept_one.inverse(wish, &armtol_errata_none, q, &reach));
+}
+
 /* The axes of joints 3 to 5 upright, as joint 1's is: any q1 will do, and the arm gets there. */
 static void test_an_upright_elbow_is_no_error(void)
 {
@@ -236,6 +253,8 @@ int main(void)
     RUN_TEST(test_the_adept_s_reach_is_from_50_to_800);
     RUN_TEST(test_the_intelledex_s_reach_is_that_of_its_wrist);
     RUN_TEST(test_the_shoulder_on_the_tool_axis_is_singular);
+    RUN_TEST(test_out_of_reach_comes_before_singular);
+    RUN_TEST(test_a_joint_value_that_overflows_is_told);
     RUN_TEST(test_an_upright_elbow_is_no_error);
     RUN_TEST(test_a_wish_has_to_be_finite);
     return UNITY_END();
