@@ -11,7 +11,7 @@ foreach(program intella adpta)
 endforeach()
 
 run(${CMAKE_COMMAND} -S ${CONSUMER} -B ${BINARY}/consumer -D CMAKE_PREFIX_PATH=${BINARY}/prefix
-  -D CMAKE_C_COMPILER=${COMPILER} -D VERSION=${VERSION})
+  -D CMAKE_C_COMPILER=${COMPILER} -D CMAKE_C_FLAGS=${FLAGS} -D VERSION=${VERSION})
 run(${CMAKE_COMMAND} --build ${BINARY}/consumer)
 run(${BINARY}/consumer/consumer)
 if(NOT run_output STREQUAL "${VERSION} 32\n")
