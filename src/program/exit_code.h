@@ -8,4 +8,7 @@ enum {
     EXIT_WRONG = 2   /* wrong input or usage */
 };
 
+/* The code to end with once all is printed: EXIT_FAILED, after a message, where standard output did not take it. */
+int exit_code_of_output(int code);
+
 #endif

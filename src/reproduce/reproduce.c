@@ -251,11 +251,7 @@ int main(int argc, char *argv[])
     if (!parse(argc, argv, &arguments)) {
         return usage();
     }
-    bool fine = published_read(arguments.published, &list) && reproduce(&arguments, &list);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        message("cannot write to standard output");
-        fine = false;
-    }
+    const bool fine = published_read(arguments.published, &list) && reproduce(&arguments, &list);
     published_free(&list);
-    return fine ? EXIT_OK : EXIT_FAILED;
+    return exit_code_of_output(fine ? EXIT_OK : EXIT_FAILED);
 }
