@@ -42,7 +42,7 @@ static void explain_missing(const question *question, size_t have)
 static void explain_number(const question *question, size_t i, const char *word, number_fault fault)
 {
     message("%s: %s %s; expected a decimal number such as 200 or -1.5e2", question->names[i],
-            message_quote(word).text, number_fault_text(fault));
+            message_quote(word, &(quoted){""}), number_fault_text(fault));
 }
 
 /* The word as the program stores it. */

@@ -2,7 +2,8 @@
 
 #include <stdarg.h>
 #include <stdbool.h>
-#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
 
 static const char *name = "?";
 static bool line_open = false;
@@ -23,12 +24,27 @@ void message_answered(void)
     line_open = false;
 }
 
+/* What a terminal may obey: control characters, also those that UTF-8 writes as C2 80 to C2 9F. */
+static void disarm(char *text)
+{
+    for (unsigned char *c = (unsigned char *)text; *c != '\0'; c++) {
+        const bool control = (*c < ' ' && *c != '\n') || *c == 127;
+        const bool second_set = c[0] == 0xc2 && c[1] >= 0x80 && c[1] <= 0x9f;
+        if (control) {
+            *c = '?';
+        } else if (second_set) {
+            c[0] = c[1] = '?';
+        }
+    }
+}
+
 /* A line of its own. */
 static void say(const char *before, const char *format, va_list arguments)
 {
-    fprintf(stderr, "%s%s", line_open ? "\n" : "", before);
-    vfprintf(stderr, format, arguments);
-    fputc('\n', stderr);
+    char text[6000]; /* the longest path and more */
+    vsnprintf(text, sizeof text, format, arguments);
+    disarm(text);
+    fprintf(stderr, "%s%s%s\n", line_open ? "\n" : "", before, text);
     line_open = false;
 }
 
@@ -50,19 +66,14 @@ void message_note(const char *format, ...)
     va_end(arguments);
 }
 
-quoted message_quote(const char *text)
+const char *message_quote(const char *text, quoted *quote)
 {
     enum { MOST = 40 };
-    quoted quote;
-    size_t n = 0;
-    quote.text[n++] = '"';
-    for (; *text != '\0' && n <= MOST; text++) {
-        quote.text[n++] = *text >= ' ' && *text <= '~' ? *text : '?';
+    char *to = quote->text;
+    *to++ = '"';
+    for (; *text != '\0' && to - quote->text <= MOST; text++) {
+        *to++ = *text >= ' ' && *text <= '~' ? *text : '?';
     }
-    for (int dots = 0; *text != '\0' && dots < 3; dots++) {
-        quote.text[n++] = '.';
-    }
-    quote.text[n++] = '"';
-    quote.text[n] = '\0';
-    return quote;
+    strcpy(to, *text != '\0' ? "...\"" : "\"");
+    return quote->text;
 }

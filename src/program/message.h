@@ -3,7 +3,10 @@
 
 #include <stdio.h>
 
-/* "NAME: " and the text, on a line of stderr of its own. NAME is what message_start got. */
+/*
+ * "NAME: " and the text, on a line of stderr of its own. NAME is what message_start got. Control characters, which
+ * a name of a file may hold, come out as question marks.
+ */
 void message_start(const char *program_name);
 void message(const char *format, ...)
 #ifdef __GNUC__
@@ -25,10 +28,12 @@ void message_note(const char *format, ...)
 void message_prompt(const char *prompt);
 void message_answered(void);
 
-/* What a user typed, in quotes, fit to print: nothing that a terminal may obey, and not endless. */
+/* Room for a quotation: message_quote(text, &(quoted){""}). */
 typedef struct quoted {
     char text[48];
 } quoted;
-quoted message_quote(const char *text);
+
+/* What a user typed, in quotes, fit to print: plain ASCII and not endless. Returns quote->text. */
+const char *message_quote(const char *text, quoted *quote);
 
 #endif

@@ -69,16 +69,15 @@ number_fault number_parse(const char *text, double *value)
     return NUMBER_FINE;
 }
 
-number_text number_shortest(double value, const armtol_errata *errata)
+const char *number_shortest(double value, const armtol_errata *errata, number_text *shortest)
 {
-    number_text shortest;
     for (int precision = 6; precision <= 17; precision++) {
-        snprintf(shortest.text, sizeof shortest.text, "%.*g", precision, value);
-        if (armtol_stored(errata, strtod(shortest.text, NULL)) == value) {
+        snprintf(shortest->text, sizeof shortest->text, "%.*g", precision, value);
+        if (armtol_stored(errata, strtod(shortest->text, NULL)) == value) {
             break;
         }
     }
-    return shortest;
+    return shortest->text;
 }
 
 const char *number_fault_text(number_fault fault)

@@ -17,11 +17,13 @@ typedef enum number_fault {
  */
 number_fault number_parse(const char *text, double *value);
 
-/* The shortest decimal text that is stored as this value again, of six digits or more. */
+/* Room for a number: number_shortest(value, errata, &(number_text){""}). */
 typedef struct number_text {
     char text[32];
 } number_text;
-number_text number_shortest(double value, const armtol_errata *errata);
+
+/* The shortest decimal text that is stored as this value again, of six digits or more. Returns shortest->text. */
+const char *number_shortest(double value, const armtol_errata *errata, number_text *shortest);
 
 /* What is wrong, to come after the quoted text: "is not a number". */
 const char *number_fault_text(number_fault fault);

@@ -15,7 +15,7 @@ static bool parse_run(const char *text, int *run)
     const size_t length = strlen(text);
     if (length == 0 || length > RUN_DIGITS || strspn(text, "0123456789") != length || atoi(text) == 0) {
         message("--run: %s is not a run number; expected a whole number from 1 to 999999",
-                message_quote(text).text);
+                message_quote(text, &(quoted){""}));
         return false;
     }
     *run = atoi(text);
@@ -29,7 +29,7 @@ static void unknown_erratum(const char *id)
         strncat(known, armtol_erratum(i)->id, sizeof known - strlen(known) - 1);
         strncat(known, ", ", sizeof known - strlen(known) - 1);
     }
-    message("--fix: unknown erratum %s; known are %sand all", message_quote(id).text, known);
+    message("--fix: unknown erratum %s; known are %sand all", message_quote(id, &(quoted){""}), known);
 }
 
 /* One name of the list, up to a comma or the end. */
@@ -69,7 +69,7 @@ static const struct option long_options[] = {
 
 static bool usage(const char *what, const char *argument)
 {
-    message("%s %s; expected options as in --help", what, message_quote(argument).text);
+    message("%s %s; expected options as in --help", what, message_quote(argument, &(quoted){""}));
     return false;
 }
 

@@ -66,7 +66,7 @@ static bool judge_tolerances(const double tolerances[], void *context)
     for (int i = 0; i < 6; i++) {
         if (!(tolerances[i] > 0)) {
             message("%s: %s is no tolerance; expected a number greater than 0", tolerance_names[i],
-                    number_shortest(tolerances[i], errata).text);
+                    number_shortest(tolerances[i], errata, &(number_text){""}));
             return false;
         }
     }
@@ -83,8 +83,8 @@ static bool judge_delta(const double delta[], void *context)
         const armtol_errata *errata = &session->analysis->errata;
         message("delta: %s does not fit; expected a number greater than 0 and less than %s, the smallest of "
                 "dx, dy and dz",
-                number_shortest(delta[0], errata).text,
-                number_shortest(fmin(t[0], fmin(t[1], t[2])), errata).text);
+                number_shortest(delta[0], errata, &(number_text){""}),
+                number_shortest(fmin(t[0], fmin(t[1], t[2])), errata, &(number_text){""}));
     } else if (status != ARMTOL_OK) {
         message("delta and tolerances: too large to compute with; expected numbers of an arm's size");
     }

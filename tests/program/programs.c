@@ -1,6 +1,5 @@
 #include "programs.h"
 
-#include <stdio.h>
 #include <string.h>
 
 const char *const prompts[QUESTIONS] = {
@@ -127,8 +126,8 @@ string golden_of(const char *set, const tested *program, int number, const char 
     return string_of("%s/%s/%s-%d/%s", TEST_GOLDEN, set, program->name, number, name);
 }
 
-void check_golden(const char *folder, int run, const tested *program, const char *set, int number, int n_files,
-                  const char *what)
+void check_golden(const char *folder, int run, const tested *program, const char *set, int number,
+                  int n_files, const char *what)
 {
     for (int i = 0; i < n_files; i++) {
         const string golden_name = string_of("%s.1", program->files[i]);

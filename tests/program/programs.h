@@ -31,7 +31,7 @@ extern const tested programs[PROGRAMS];
 enum { ERRATA = 14 };
 extern const char *const errata[ERRATA];
 
-/* The paper's first case: the words first to end - 1 in a line; the answer to a question; all that is asked. */
+/* The paper's first case: the words first to end - 1 in a line; the answer to a question; all answers. */
 string words_between(const tested *program, size_t first, size_t end);
 string right_answer(const tested *program, int question);
 string right_answers(const tested *program);
@@ -61,8 +61,8 @@ extern const char golden_1987[], golden_corrected[];
 string golden_of(const char *set, const tested *program, int number, const char *name);
 
 /* The files in a folder, of a run of that number, are those of golden/: all four, or the first n_files. */
-void check_golden(const char *folder, int run, const tested *program, const char *set, int number, int n_files,
-                  const char *what);
+void check_golden(const char *folder, int run, const tested *program, const char *set, int number,
+                  int n_files, const char *what);
 
 /* Files that were there before the run: one of each name, of run 1. */
 void write_old_files(const char *folder, const tested *program);

@@ -1,6 +1,6 @@
 /*
- * What can go wrong beside the input: folders, names, signals, a standard error that nobody reads. A file appears
- * whole or not at all, what was there before a failed run is still there, and nothing else is left.
+ * What can go wrong beside the input: folders, names, signals, a standard error that nobody reads. A file
+ * appears whole or not at all, what was there before a failed run is still there, and nothing else is left.
  */
 
 #include "programs.h"
@@ -9,7 +9,6 @@
 
 #include <limits.h>
 #include <signal.h>
-#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -28,7 +27,8 @@ void tearDown(void)
 /* ---- folders that take no files ---- */
 
 /* The run fails before it asks anything. */
-static void check_fails_at_once(const process *process, const tested *program, const char *words, const char *what)
+static void check_fails_at_once(const process *process, const tested *program, const char *words,
+                                const char *what)
 {
     process_check_status(process, 1, what);
     check_message(process, program, words, what);
@@ -37,7 +37,8 @@ static void check_fails_at_once(const process *process, const tested *program, c
 
 static void test_folders_that_are_none(void)
 {
-    static const char *const names[] = {"nowhere", "nowhere/below", "file", "file/", "file/below", "dangling", ""};
+    static const char *const names[] = {"nowhere",    "nowhere/below", "file", "file/",
+                                        "file/below", "dangling",      ""};
     for (int i = 0; i < PROGRAMS; i++) {
         const string here = folder_new(), file = string_of("%s/file", here.text);
         const string dangling = string_of("%s/dangling", here.text);
@@ -53,6 +54,28 @@ static void test_folders_that_are_none(void)
             folder_check(here.text, "dangling file", what.text);
         }
         file_check(file.text, "a file\n", programs[i].name);
+    }
+}
+
+/* A name is shown, and a terminal that shows it does not obey it: ESC, DEL, and CSI as UTF-8 writes it. */
+static void test_a_folder_whose_name_a_terminal_may_obey(void)
+{
+    static const struct {
+        const char *name, *shown;
+    } rows[] = {
+        {"\033[31mno", "output folder \"?[31mno\": "},
+        {"a\177b", "output folder \"a?b\": "},
+        {"a\302\23331mb", "output folder \"a??31mb\": "},
+        {"na\303\257ve", "output folder \"na\303\257ve\": "},
+    };
+    for (int i = 0; i < PROGRAMS; i++) {
+        for (size_t j = 0; j < sizeof rows / sizeof rows[0]; j++) {
+            const char *const arguments[] = {"--output", rows[j].name, NULL};
+            const string here = folder_new(), input = right_answers(&programs[i]);
+            process process;
+            run_in(here.text, &programs[i], arguments, input.text, &process);
+            check_fails_at_once(&process, &programs[i], rows[j].shown, rows[j].shown);
+        }
     }
 }
 
@@ -114,8 +137,8 @@ static void check_writes_into(const char *here, const char *name, const char *fo
 
 static void test_folders_with_unusual_names(void)
 {
-    static const char *const names[] = {" two  words ", "\xc3\xbc\xe2\x82\xac", "it's \"quoted\"", "-r", "%s%n",
-                                        "a\\b", "*", "$HOME", "~"};
+    static const char *const names[] = {
+        " two  words ", "\xc3\xbc\xe2\x82\xac", "it's \"quoted\"", "-r", "%s%n", "a\\b", "*", "$HOME", "~"};
     const string here = folder_new();
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         const string folder = folder_below(here.text, names[i]);
@@ -178,14 +201,15 @@ static void make_entry(const char *name, mode_t kind)
     TEST_ASSERT_EQUAL_INT_MESSAGE(0, kind == S_IFDIR ? mkdir(name, 0777) : mkfifo(name, 0666), name);
 }
 
-/* Every file in turn is a folder or a FIFO: it stays, its companion keeps what it held, no run waits for it. */
+/* A file's name is a folder's or a FIFO's: that stays, its companion keeps what it held, no run waits for it.
+ */
 static void check_taken_name(const tested *program, int file, mode_t kind)
 {
     const string folder = folder_new(), input = right_answers(program), listing = listing_of(program, 2, 1);
     const string words = string_of("%s.1: ", program->files[file]);
     const string name = file_of(folder.text, program, file);
-    const string what = string_of("%s, %s is a %s", program->name, program->files[file],
-                                  kind == S_IFDIR ? "folder" : "FIFO");
+    const string what =
+        string_of("%s, %s is a %s", program->name, program->files[file], kind == S_IFDIR ? "folder" : "FIFO");
     const int companion = file ^ 1;
     process process;
     struct stat status;
@@ -293,7 +317,8 @@ static void test_signals_at_a_prompt(void)
     for (int i = 0; i < PROGRAMS; i++) {
         for (int question = 0; question < QUESTIONS; question++) {
             for (size_t j = 0; j < sizeof signals / sizeof signals[0]; j++) {
-                const string what = string_of("%s, signal %d at question %d", programs[i].name, signals[j], question);
+                const string what =
+                    string_of("%s, signal %d at question %d", programs[i].name, signals[j], question);
                 const string folder = folder_new();
                 const string listing = listing_of(&programs[i], question > QUESTION_WISH ? 1 : 0, 1);
                 const process_setup setup = {.program = programs[i].path, .folder = folder.text};
@@ -312,9 +337,8 @@ static void test_interrupt_on_a_terminal(void)
 {
     for (int i = 0; i < PROGRAMS; i++) {
         const string folder = folder_new(), listing = listing_of(&programs[i], 1, 1);
-        const process_setup setup = {.program = programs[i].path,
-                                     .folder = folder.text,
-                                     .wires = ALL_ON_TERMINAL};
+        const process_setup setup = {
+            .program = programs[i].path, .folder = folder.text, .wires = ALL_ON_TERMINAL};
         process process;
         start_up_to(&process, &setup, &programs[i], QUESTION_DELTA);
         process_say(&process, ".1\003");
@@ -400,7 +424,8 @@ static void test_standard_error_breaks(void)
 {
     for (int i = 0; i < PROGRAMS; i++) {
         for (int question = 0; question < QUESTIONS; question++) {
-            const string what = string_of("%s, question %d", programs[i].name, question), folder = folder_new();
+            const string what = string_of("%s, question %d", programs[i].name, question);
+            const string folder = folder_new();
             const process_setup setup = {.program = programs[i].path, .folder = folder.text};
             process process;
             start_up_to(&process, &setup, &programs[i], question);
@@ -416,6 +441,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_folders_that_are_none);
+    RUN_TEST(test_a_folder_whose_name_a_terminal_may_obey);
     RUN_TEST(test_folders_without_permission);
     RUN_TEST(test_folders_with_unusual_names);
     RUN_TEST(test_folders_with_long_names);

@@ -4,7 +4,6 @@
 
 #include "unity.h"
 
-#include <stdio.h>
 #include <string.h>
 
 void setUp(void)
@@ -150,8 +149,8 @@ static void print_case(int which, int number, const char *const arguments[], pri
 
 /*
  * What correcting one erratum alone changes in A, A reordered, tolerances, machining tolerances and dialogue:
- * x must, . must not, ? may: it moves numbers there, but by less than the last digit or in a row that does not
- * bind, depending on the position. Of the Intelledex and of the Adept.
+ * x must, . must not, ? may: it moves numbers there, but by less than the last digit or in a row that does
+ * not bind, depending on the position. Of the Intelledex and of the Adept.
  */
 typedef struct effect {
     const char *erratum;
@@ -248,8 +247,8 @@ static string labels_of_changes(const char *one, const char *other)
         if (length != other_length || strncmp(one, other, length) != 0) {
             const char *label = one + strspn(one, " "), *end = strstr(label, " =");
             const int size = end != NULL ? (int)(end - label) : 0;
-            const string longer = string_of("%s%s%.*s", labels.text, labels.text[0] != '\0' ? " " : "", size,
-                                            label);
+            const string longer =
+                string_of("%s%s%.*s", labels.text, labels.text[0] != '\0' ? " " : "", size, label);
             labels = longer;
         }
         one += length + (one[length] == '\n');
@@ -268,8 +267,8 @@ static void test_each_erratum_changes_its_lines_only(void)
         printed of_1987, corrected;
         print_case(row->program, 2, NULL, &of_1987);
         print_case(row->program, 2, arguments, &corrected);
-        const string labels = labels_of_changes(of_1987.texts[row->file].bytes,
-                                                corrected.texts[row->file].bytes);
+        const string labels =
+            labels_of_changes(of_1987.texts[row->file].bytes, corrected.texts[row->file].bytes);
         TEST_ASSERT_EQUAL_STRING_MESSAGE(row->labels, labels.text, what.text);
     }
 }
@@ -308,7 +307,8 @@ static void test_labels_are_told_apart_when_corrected(void)
 /* The paper prints both without their sign; the programs of 1987 did not. */
 static void test_signs_of_the_prismatic_joint(void)
 {
-    static const char *const arguments[] = {"--fix", "signed-mach", NULL}, *const labels[] = {"rd[4]", "td[3]"};
+    static const char *const arguments[] = {"--fix", "signed-mach", NULL};
+    static const char *const labels[] = {"rd[4]", "td[3]"};
     printed of_1987, corrected;
     print_case(1, 1, NULL, &of_1987);
     print_case(1, 1, arguments, &corrected);
@@ -342,7 +342,8 @@ static const char *const ways_to_fix_two[][6] = {
 
 static void test_corrections_add_up(void)
 {
-    static const char *const one[] = {"--fix", "labels", NULL}, *const other[] = {"--fix", "root-of-ratio", NULL};
+    static const char *const one[] = {"--fix", "labels", NULL};
+    static const char *const other[] = {"--fix", "root-of-ratio", NULL};
     for (int i = 0; i < PROGRAMS; i++) {
         printed first, second;
         print_case(i, 1, one, &first);
@@ -370,7 +371,8 @@ static string listed_ids(const tested *program)
     for (const char *line = process.output.bytes; *line != '\0'; line += strcspn(line, "\n") + 1) {
         const int length = (int)strcspn(line, " \n");
         if (length > 0) {
-            const string longer = string_of("%s%s%.*s", ids.text, ids.text[0] != '\0' ? "," : "", length, line);
+            const string longer =
+                string_of("%s%s%.*s", ids.text, ids.text[0] != '\0' ? "," : "", length, line);
             ids = longer;
         }
     }
@@ -379,7 +381,8 @@ static string listed_ids(const tested *program)
 
 static void test_all_is_the_list_of_all(void)
 {
-    static const char *const all[] = {"--fix", "all", NULL}, *const more_than_all[] = {"--fix", "float,all", NULL};
+    static const char *const all[] = {"--fix", "all", NULL};
+    static const char *const more_than_all[] = {"--fix", "float,all", NULL};
     for (int i = 0; i < PROGRAMS; i++) {
         const string ids = listed_ids(&programs[i]);
         const char *const each[] = {"--fix", ids.text, NULL};

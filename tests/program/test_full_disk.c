@@ -1,6 +1,7 @@
 /*
- * A disk that takes no more: a limit on the size of files, set from the start or during the run, and file systems
- * that are full or read-only. These are mounted where nobody else sees them, which not every machine allows.
+ * A disk that takes no more: a limit on the size of files, set from the start or during the run, and file
+ * systems that are full or read-only. These are mounted where nobody else sees them, which not every machine
+ * allows.
  */
 
 #define _GNU_SOURCE /* prlimit, unshare */
@@ -11,7 +12,6 @@
 
 #include <errno.h>
 #include <fcntl.h>
-#include <stdio.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -51,8 +51,8 @@ static off_t size_of_golden(const tested *program, int file)
 }
 
 /*
- * The files from `first` on could not be written: the last message names one of them, they are as they were, and
- * those before them are new. Old files were there or not.
+ * The files from `first` on could not be written: the last message names one of them, they are as they were,
+ * and those before them are new. Old files were there or not.
  */
 static void check_failed(const process *process, const tested *program, int first, int named, bool old,
                          const char *folder, const char *what)
@@ -77,7 +77,8 @@ static void check_right(const process *process, const tested *program, const cha
 /* A and A reordered are of one size, and the largest of the four. */
 static void check_limited_run(const tested *program, off_t limit, bool old)
 {
-    const string what = string_of("%s, files limited to %ld, %s", program->name, (long)limit, old ? "old" : "new");
+    const string what =
+        string_of("%s, files limited to %ld, %s", program->name, (long)limit, old ? "old" : "new");
     const string folder = folder_new(), input = right_answers(program);
     const process_setup setup = {
         .program = program->path, .folder = folder.text, .largest_file = (rlim_t)limit};
@@ -118,8 +119,8 @@ static void start_and_limit(process *process, const tested *program, const char 
 
 static void check_limited_end(const tested *program, off_t limit, bool old)
 {
-    const string what = string_of("%s, last files limited to %ld, %s", program->name, (long)limit,
-                                  old ? "old" : "new");
+    const string what =
+        string_of("%s, last files limited to %ld, %s", program->name, (long)limit, old ? "old" : "new");
     const string folder = folder_new();
     process process;
     if (old) {
@@ -180,7 +181,7 @@ static bool write_proc(const char *file, const char *content)
     return written;
 }
 
-/* Become able to mount, and let nobody else see it: root as it is, others as the root of a namespace of theirs. */
+/* Become able to mount, unseen by others: root as it is, anyone else as the root of a namespace. */
 static bool enter_namespace(void)
 {
     if (geteuid() == 0) {
@@ -206,7 +207,7 @@ static string mount_new(unsigned long flags, const char *options)
     return folder;
 }
 
-/* A run on a disk that is left room for so many whole files, at a page each; beside old ones where there are any. */
+/* A run on a disk with room for so many files, at a page each, beside the old ones where there are any. */
 static void check_full_disk(const tested *program, int room, bool old)
 {
     const long page = sysconf(_SC_PAGESIZE);
@@ -254,8 +255,8 @@ static void test_no_room_for_more_files(void)
             process process;
             run_in(folder.text, &programs[i], NULL, input.text, &process);
             if (room < FILES) {
-                check_failed(&process, &programs[i], room < 2 ? FILE_A : FILE_TOLERANCES, room, false, folder.text,
-                             what.text);
+                check_failed(&process, &programs[i], room < 2 ? FILE_A : FILE_TOLERANCES, room, false,
+                             folder.text, what.text);
             } else {
                 check_right(&process, &programs[i], folder.text, what.text);
             }
@@ -269,8 +270,8 @@ static void test_read_only_disk(void)
 {
     for (int i = 0; i < PROGRAMS; i++) {
         const string folder = mount_new(MS_RDONLY, ""), input = right_answers(&programs[i]);
-        const string only = string_of("%s: output folder \".\": not writable: Read-only file system\n",
-                                      programs[i].name);
+        const string only =
+            string_of("%s: output folder \".\": not writable: Read-only file system\n", programs[i].name);
         process process;
         run_in(folder.text, &programs[i], NULL, input.text, &process);
         process_check_status(&process, 1, programs[i].name);

@@ -1,8 +1,8 @@
 /*
- * The port against the programs of 1987, byte for byte: four files and the dialogue, at positions drawn over the whole
- * workspace. The residue on the stack is out of the comparison: the legacy programs used here have a static skew
- * matrix, whose diagonal C makes zero, and the port runs with --fix skew-residue. The Intelledex's residue is zero
- * anyway, so its port runs without any correction too.
+ * The port against the programs of 1987, byte for byte: four files and the dialogue, at positions drawn over
+ * the whole workspace. The residue on the stack is out of the comparison: the legacy programs used here have
+ * a static skew matrix, whose diagonal C makes zero, and the port runs with --fix skew-residue. The
+ * Intelledex's residue is zero anyway, so its port runs without any correction too.
  */
 
 #include "programs.h"
@@ -11,8 +11,6 @@
 #include "unity.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 enum { POSITIONS = 500 };
 
@@ -25,7 +23,7 @@ void tearDown(void)
     process_clean_up();
 }
 
-/* Where a number of the wish is drawn from; and round numbers there: origin and multiples of step beside it. */
+/* Where a number of the wish is drawn from; and what is round there: multiples of step from origin. */
 typedef struct range {
     double low, high, origin, step;
 } range;
@@ -93,7 +91,8 @@ static bool compare_runs(const tested *program, const char *const arguments[], c
                          const char *input)
 {
     const process_setup setup = {.program = program->legacy, .folder = folders->legacy.text};
-    const string command = command_of(program, arguments), what = string_of("%s, \"%s\"", command.text, input);
+    const string command = command_of(program, arguments);
+    const string what = string_of("%s, \"%s\"", command.text, input);
     process port, legacy;
     run_in(folders->port.text, program, arguments, input, &port);
     if (port.status == 2) {

@@ -8,7 +8,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 void setUp(void)
 {
@@ -44,8 +43,9 @@ static void make_locale(comma_locale *locale)
     const string folder = folder_new();
     const process_setup setup = {
         .program = "/bin/sh",
-        .arguments = (const char *const[]){"-c", "command -v localedef && localedef -i de_DE -f ISO-8859-1 ./de_DE",
-                                           NULL},
+        .arguments =
+            (const char *const[]){"-c", "command -v localedef && localedef -i de_DE -f ISO-8859-1 ./de_DE",
+                                  NULL},
         .folder = folder.text};
     process process;
     process_run(&process, &setup, "");
@@ -74,7 +74,8 @@ static void run_with(const comma_locale *locale, const tested *program, const ch
 
 static void test_golden_bytes_with_a_decimal_comma(void)
 {
-    static const char *const corrected[] = {"--fix", "all", NULL}, *const *const arguments[] = {NULL, corrected};
+    static const char *const corrected[] = {"--fix", "all", NULL};
+    static const char *const *const arguments[] = {NULL, corrected};
     const char *const sets[] = {golden_1987, golden_corrected};
     comma_locale locale;
     make_locale(&locale);

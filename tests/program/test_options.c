@@ -4,7 +4,6 @@
 
 #include "unity.h"
 
-#include <stdio.h>
 #include <string.h>
 
 void setUp(void)
@@ -45,8 +44,9 @@ static void test_short_options_print_what_long_ones_do(void)
 
 static void test_help_names_everything(void)
 {
-    static const char *const words[] = {"-o, --output DIR", "-r, --run N",   "-f, --fix NAME", "-l, --list-errata",
-                                        "-h, --help",       "-V, --version", "`all'",          "Exit status"};
+    static const char *const words[] = {
+        "-o, --output DIR", "-r, --run N",   "-f, --fix NAME", "-l, --list-errata",
+        "-h, --help",       "-V, --version", "`all'",          "Exit status"};
     for (int i = 0; i < PROGRAMS; i++) {
         process process;
         print_with(&programs[i], "--help", &process);
@@ -57,7 +57,8 @@ static void test_help_names_everything(void)
             TEST_ASSERT_TRUE_MESSAGE(strstr(help, words[j]) != NULL, words[j]);
         }
         for (size_t j = 0; j < programs[i].starts[QUESTIONS]; j++) {
-            TEST_ASSERT_TRUE_MESSAGE(strstr(help, programs[i].value_names[j]) != NULL, programs[i].value_names[j]);
+            TEST_ASSERT_TRUE_MESSAGE(strstr(help, programs[i].value_names[j]) != NULL,
+                                     programs[i].value_names[j]);
         }
         for (int j = 0; j < FILES; j++) {
             const string name = string_of("%s.N", programs[i].files[j]);
@@ -170,8 +171,8 @@ static void check_wrong_options(const tested *program, const wrong_options *wron
     check_message(&process, program, wrong->message, what.text);
     /* the message is all that is said: no prompt came before it */
     TEST_ASSERT_TRUE_MESSAGE(strncmp(process.errors.bytes, line.text, strlen(line.text)) == 0, what.text);
-    TEST_ASSERT_TRUE_MESSAGE(strchr(process.errors.bytes, '\n') == process.errors.bytes + process.errors.length - 1,
-                             what.text);
+    TEST_ASSERT_TRUE_MESSAGE(
+        strchr(process.errors.bytes, '\n') == process.errors.bytes + process.errors.length - 1, what.text);
     text_check("", 0, &process.output, what.text);
     folder_check(folder.text, "", what.text);
 }
@@ -206,8 +207,8 @@ static void test_unknown_erratum_lists_the_known(void)
     }
     for (int i = 0; i < PROGRAMS; i++) {
         for (size_t j = 0; j < sizeof names / sizeof names[0]; j++) {
-            const string message = string_of("--fix: unknown erratum \"%s\"; known are %sand all", names[j][1],
-                                             known.text);
+            const string message =
+                string_of("--fix: unknown erratum \"%s\"; known are %sand all", names[j][1], known.text);
             const wrong_options wrong = {{"--fix", names[j][0]}, message.text};
             check_wrong_options(&programs[i], &wrong);
         }

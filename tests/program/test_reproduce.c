@@ -1,4 +1,4 @@
-/* The program `reproduce`: what it says and how it ends, of the paper's table, of altered ones, of broken programs. */
+/* The program `reproduce`: the paper's table, altered and broken ones, programs that fail, wrong usage. */
 
 #include "programs.h"
 
@@ -104,7 +104,7 @@ static void test_quiet_only_writes(void)
 
 /* ---- other programs than the port ---- */
 
-/* Shell scripts in the programs' place; %s in them is the path of the program of 1987 with a zero skew diagonal. */
+/* Shell scripts in the programs' place. %s in them is the program of 1987 with a zero skew diagonal. */
 static string fake_programs(const char *script)
 {
     const string folder = folder_new();
@@ -124,19 +124,20 @@ static string fake_programs(const char *script)
 static void test_programs_of_1987(void)
 {
     const string out = folder_new(), legacy = fake_programs("#!/bin/sh\ntest \"$ERA\" = 1987 && exec '%s'\n");
-    const char *const arguments[] = {"--misses",  "--legacy", "--runner=env ERA=1987", legacy.text,
-                                     TEST_PUBLISHED, out.text,   NULL};
+    const char *const arguments[] = {
+        "--misses", "--legacy", "--runner=env ERA=1987", legacy.text, TEST_PUBLISHED, out.text, NULL};
     process process;
     run_reproduce(arguments, &process);
     process_check_status(&process, 1, "the programs of 1987");
-    TEST_ASSERT_EQUAL_STRING("missed: adpta, case 1, ggd[0..5]: published 0.005313, computed 0.005315\n"
-                             "missed: adpta, case 1, td[0..2]: published 0.005313, computed 0.005315\n"
-                             "missed: adpta, case 2, A bound on the error in angle parameters: published 0.000666, "
-                             "computed 0.000665\n"
-                             "missed: adpta, case 2, ggd[0..5]: published 0.006081, computed 0.006080\n"
-                             "missed: adpta, case 2, td[0..2]: published 0.006081, computed 0.006080\n"
-                             "61 of 66 published numbers reproduced\n",
-                             process.output.bytes);
+    TEST_ASSERT_EQUAL_STRING(
+        "missed: adpta, case 1, ggd[0..5]: published 0.005313, computed 0.005315\n"
+        "missed: adpta, case 1, td[0..2]: published 0.005313, computed 0.005315\n"
+        "missed: adpta, case 2, A bound on the error in angle parameters: published 0.000666, "
+        "computed 0.000665\n"
+        "missed: adpta, case 2, ggd[0..5]: published 0.006081, computed 0.006080\n"
+        "missed: adpta, case 2, td[0..2]: published 0.006081, computed 0.006080\n"
+        "61 of 66 published numbers reproduced\n",
+        process.output.bytes);
     folder_check(out.text, "1987", "there is nothing corrected");
 }
 
@@ -192,10 +193,9 @@ static const altered altered_tables[] = {
 static void check_misses_only(const altered *altered, const char *table, const char *out)
 {
     const char *const arguments[] = {"--misses", TEST_PROGRAMS, table, out, NULL};
-    const string expected = string_of("%s%s%s%s published numbers reproduced\n",
-                                      altered->miss != NULL ? "missed: " : "",
-                                      altered->miss != NULL ? altered->miss : "", altered->miss != NULL ? "\n" : "",
-                                      altered->count);
+    const string expected = string_of(
+        "%s%s%s%s published numbers reproduced\n", altered->miss != NULL ? "missed: " : "",
+        altered->miss != NULL ? altered->miss : "", altered->miss != NULL ? "\n" : "", altered->count);
     process process;
     run_reproduce(arguments, &process);
     process_check_status(&process, altered->miss != NULL ? 1 : 0, expected.text);
@@ -371,8 +371,8 @@ static void check_lines(const text *said, const char *const lines[], size_t coun
 static void test_walk_from_1987_to_corrected(void)
 {
     static const char *const lines[] = {
-        "nothing\t0.035243\t0.000370", "+ mtransf-typo\t0.043073\t0.000626", "+ labels\t0.043073\t0.000599",
-        "nothing\t0.041592\t0.000440", "+ labels\t0.043722\t0.000671",       "nothing\t0.043655\t0.000508",
+        "nothing\t0.035243\t0.000370",  "+ mtransf-typo\t0.043073\t0.000626", "+ labels\t0.043073\t0.000599",
+        "nothing\t0.041592\t0.000440",  "+ labels\t0.043722\t0.000671",       "nothing\t0.043655\t0.000508",
         "+ labels\t0.043655\t0.000730", "nothing\t0.045870\t0.000666",        "+ labels\t0.045870\t0.000855",
     };
     process process;
@@ -461,7 +461,8 @@ static void test_table_that_cannot_be_printed(void)
 {
     const string out = folder_new();
     const process_setup setup = {.program = TEST_REPRODUCE,
-                                 .arguments = (const char *const[]){TEST_PROGRAMS, TEST_PUBLISHED, out.text, NULL},
+                                 .arguments =
+                                     (const char *const[]){TEST_PROGRAMS, TEST_PUBLISHED, out.text, NULL},
                                  .output_path = "/dev/full"};
     process process;
     process_run(&process, &setup, "");

@@ -4,7 +4,6 @@
 
 #include "unity.h"
 
-#include <stdio.h>
 #include <string.h>
 
 void setUp(void)
@@ -108,17 +107,22 @@ static void test_wrong_answers_on_the_screen(void)
         "adpta: dz: 0 is no tolerance; expected a number greater than 0\n"
         "enter desired position and orientation tolerances: .5 .5 .5 .1 .1 .1\n"
         "enter desired delta: 2\n"
-        "adpta: delta: 2 does not fit; expected a number greater than 0 and less than 0.5, the smallest of dx, dy "
-        "and dz\n"
+        "adpta: delta: 2 does not fit; expected a number greater than 0 and less than 0.5, the smallest of "
+        "dx, dy and dz\n"
         "enter desired delta: .1\n"
         "These are the numbers of 1987, errata included; for an arm to be built: adpta --fix all\n";
     static const char *const typed[][2] = {
-        {"position: ", "200 200 zero 0\n"}, {"position: ", "200 200\n"},      {"again\n", "0 0\n"},
-        {"tolerances: ", ".5 .5 0 .1 .1 .1\n"}, {"tolerances: ", ".5 .5 .5 .1 .1 .1\n"},
-        {"delta: ", "2\n"},                  {"enter desired delta: ", ".1\n"},
+        {"position: ", "200 200 zero 0\n"},
+        {"position: ", "200 200\n"},
+        {"again\n", "0 0\n"},
+        {"tolerances: ", ".5 .5 0 .1 .1 .1\n"},
+        {"tolerances: ", ".5 .5 .5 .1 .1 .1\n"},
+        {"delta: ", "2\n"},
+        {"enter desired delta: ", ".1\n"},
     };
     const string folder = folder_new();
-    const process_setup setup = {.program = programs[1].path, .folder = folder.text, .wires = ALL_ON_TERMINAL};
+    const process_setup setup = {
+        .program = programs[1].path, .folder = folder.text, .wires = ALL_ON_TERMINAL};
     process process;
     process_start(&process, &setup);
     for (size_t i = 0; i < sizeof typed / sizeof typed[0]; i++) {
@@ -135,7 +139,8 @@ static void test_no_note_when_the_run_fails(void)
 {
     for (int i = 0; i < PROGRAMS; i++) {
         const string here = folder_new(), name = string_of("%s.1", programs[i].files[FILE_MACHINING]);
-        const process_setup setup = {.program = programs[i].path, .folder = here.text, .wires = ALL_ON_TERMINAL};
+        const process_setup setup = {
+            .program = programs[i].path, .folder = here.text, .wires = ALL_ON_TERMINAL};
         process process;
         start_up_to(&process, &setup, &programs[i], QUESTION_DELTA);
         process_say(&process, "\004");
@@ -152,7 +157,7 @@ static void test_no_note_when_the_run_fails(void)
     }
 }
 
-/* The answers come from a pipe, so that no echo ends the line of the last prompt: the note is a line all the same. */
+/* The answers come from a pipe, and no echo ends the last prompt's line: the note is a line all the same. */
 static void test_note_is_a_line_of_its_own(void)
 {
     for (int i = 0; i < PROGRAMS; i++) {

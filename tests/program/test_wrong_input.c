@@ -1,15 +1,13 @@
 /*
- * Wrong answers, on a pipe and on a terminal: what is said, how the run ends, and which files there are then. On a
- * terminal the question is asked again, and right answers still lead to the right files.
+ * Wrong answers, on a pipe and on a terminal: what is said, how the run ends, and which files there are then.
+ * On a terminal the question is asked again, and right answers still lead to the right files.
  */
 
 #include "programs.h"
 
 #include "unity.h"
 
-#include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
 void setUp(void)
 {
@@ -29,7 +27,7 @@ typedef struct wrong {
     bool corrected; /* with --fix all */
     int question;
     const char *answer;
-    size_t length; /* 0: up to the zero byte */
+    size_t length;       /* 0: up to the zero byte */
     const char *message; /* words of it */
     int where;
 } wrong;
@@ -127,7 +125,8 @@ static void check_on_terminal(const wrong *wrong)
     process_expect(&process, "\n");
     check_files_before(folder.text, program, wrong->question, what.text);
     answer_prompts(&process, program, wrong->question, QUESTIONS);
-    check_right_end(&process, program, folder.text, wrong->corrected ? golden_corrected : golden_1987, what.text);
+    check_right_end(&process, program, folder.text, wrong->corrected ? golden_corrected : golden_1987,
+                    what.text);
 }
 
 static void check_wrong(const wrong *wrong)
@@ -203,8 +202,8 @@ static void check_bad_word(const tested *program, const bad_word *bad)
 {
     for (int question = 0; question < QUESTIONS; question++) {
         const char *value = program->value_names[program->starts[question]];
-        const string message = string_of("%s: \"%s\" %s", value, bad->shown != NULL ? bad->shown : bad->word,
-                                         bad->fault);
+        const string message =
+            string_of("%s: \"%s\" %s", value, bad->shown != NULL ? bad->shown : bad->word, bad->fault);
         const wrong wrong = {program, false, question, bad->word, bad->length, message.text, bad->where};
         check_wrong(&wrong);
     }
@@ -253,9 +252,10 @@ static void test_numbers_beyond_a_float(void)
         for (size_t j = 0; j < sizeof words / sizeof words[0]; j++) {
             const string answer = string_of("%s 0 0 0 0 0", words[j]);
             const string message = string_of("x: \"%s\" " TOO_LARGE, words[j]);
-            const wrong too_large = {&programs[i], false, QUESTION_WISH, answer.text, 0, message.text, ON_BOTH};
-            const wrong too_far = {&programs[i], true,    QUESTION_WISH, answer.text, 0, "mm too far; expected",
-                                   ON_BOTH};
+            const wrong too_large = {&programs[i], false,  QUESTION_WISH, answer.text, 0,
+                                     message.text, ON_BOTH};
+            const wrong too_far = {&programs[i],           true,   QUESTION_WISH, answer.text, 0,
+                                   "mm too far; expected", ON_BOTH};
             check_wrong(&too_large);
             check_wrong(&too_far);
         }
@@ -265,7 +265,7 @@ static void test_numbers_beyond_a_float(void)
 static void test_the_largest_float_is_a_number(void)
 {
     for (int i = 0; i < PROGRAMS; i++) {
-        const wrong too_far = {&programs[i], false,     QUESTION_WISH, "3.4028235e38 0 0 0 0 0", 0,
+        const wrong too_far = {&programs[i], false,  QUESTION_WISH, "3.4028235e38 0 0 0 0 0", 0,
                                "mm too far", ON_BOTH};
         check_wrong(&too_far);
     }
@@ -312,8 +312,8 @@ static void test_a_zero_byte_on_a_terminal(void)
         const string after = right_answer(&programs[i], QUESTION_WISH);
         char answer[100] = "20";
         memcpy(answer + 3, after.text, strlen(after.text) - 1);
-        const wrong wrong = {&programs[i], false,      QUESTION_WISH, answer, 2 + strlen(after.text), "x: \"20?",
-                             ON_TERMINAL};
+        const wrong wrong = {&programs[i],           false,      QUESTION_WISH, answer,
+                             2 + strlen(after.text), "x: \"20?", ON_TERMINAL};
         check_wrong(&wrong);
     }
 }
@@ -336,12 +336,12 @@ static bool is_printable_utf8(const char *bytes)
     return true;
 }
 
-/* A terminal acts on U+009B as on ESC [, and shows rubbish for a character that is cut in two. */
+/* A terminal acts on U+009B as on ESC and a bracket, and shows rubbish for a character that is cut in two. */
 static void test_words_beyond_ascii_are_fit_to_print(void)
 {
     static const char *const words[] = {
         "zw\xc3\xb6lf",
-        "\xc2\x9b" "31m200",
+        "\xc2\x9b[31m200",
         "\xff\xfe",
         "\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac"
         "\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac\xe2\x82\xac",
@@ -400,11 +400,13 @@ static void test_the_very_edge_of_the_reach(void)
 {
     static const wrong wishes[] = {
         {&programs[0], false, QUESTION_WISH, "-309.583104 362.490757 871.979204 1.25998 -0.10254 -1.31624", 0,
-         "would be 652.799981 mm from the shoulder at (0, 0, 359.7), at the very edge, where rounding decides; "
-         REACH_INTELLEDEX, ON_BOTH},
+         "would be 652.799981 mm from the shoulder at (0, 0, 359.7), at the very edge, where rounding "
+         "decides; " REACH_INTELLEDEX,
+         ON_BOTH},
         {&programs[0], false, QUESTION_WISH, "101.422275 -52.166853 464.860650 2.41115 2.75943 0.625351", 0,
-         "would be 94.0000049 mm from the shoulder at (0, 0, 359.7), at the very edge, where rounding decides; "
-         REACH_INTELLEDEX, ON_BOTH},
+         "would be 94.0000049 mm from the shoulder at (0, 0, 359.7), at the very edge, where rounding "
+         "decides; " REACH_INTELLEDEX,
+         ON_BOTH},
     };
     for (size_t i = 0; i < sizeof wishes / sizeof wishes[0]; i++) {
         check_wrong(&wishes[i]);
@@ -414,8 +416,8 @@ static void test_the_very_edge_of_the_reach(void)
 /* A wish on the tool's axis and out of reach: no turn of the tool would bring it into reach. */
 static void test_out_of_reach_comes_before_singular(void)
 {
-    const wrong wrong = {&programs[0], false, QUESTION_WISH, "0 0 2000 0 0 0", 0, "mm too far; " REACH_INTELLEDEX,
-                         ON_PIPE};
+    const wrong wrong = {
+        &programs[0], false, QUESTION_WISH, "0 0 2000 0 0 0", 0, "mm too far; " REACH_INTELLEDEX, ON_PIPE};
     check_wrong(&wrong);
 }
 
@@ -458,8 +460,8 @@ static void check_tolerance(const tested *program, size_t at, const char *word, 
 
 static void test_tolerances_are_greater_than_0(void)
 {
-    static const char *const words[][2] = {{"0", "0"},        {"-.5", "-0.5"}, {"-0.0", "-0"},
-                                           {"1e-400", "0"}, {"1e-46", "0"}};
+    static const char *const words[][2] = {
+        {"0", "0"}, {"-.5", "-0.5"}, {"-0.0", "-0"}, {"1e-400", "0"}, {"1e-46", "0"}};
     for (int i = 0; i < PROGRAMS; i++) {
         for (size_t at = 0; at < 6; at++) {
             for (size_t j = 0; j < sizeof words / sizeof words[0]; j++) {
@@ -471,12 +473,22 @@ static void test_tolerances_are_greater_than_0(void)
 
 static void test_delta_is_between_0_and_the_tolerances(void)
 {
-    static const char *const words[][2] = {{"0", "0"},          {"-1", "-1"},   {"1e-400", "0"}, {".5", "0.5"},
-                                           {".500001", "0.500001"}, {"0.5000001", "0.5000001"}, {"17", "17"}, {"1e38", "1e+38"}};
+    static const char *const words[][2] = {
+        {"0", "0"},
+        {"-1", "-1"},
+        {"1e-400", "0"},
+        {".5", "0.5"},
+        {".500001", "0.500001"},
+        {"0.5000001", "0.5000001"},
+        {"17", "17"},
+        {"1e38", "1e+38"},
+    };
     for (int i = 0; i < PROGRAMS; i++) {
         for (size_t j = 0; j < sizeof words / sizeof words[0]; j++) {
-            const string message = string_of("delta: %s does not fit; expected a number greater than 0 and less "
-                                             "than 0.5, the smallest of dx, dy and dz", words[j][1]);
+            const string message =
+                string_of("delta: %s does not fit; expected a number greater than 0 and less "
+                          "than 0.5, the smallest of dx, dy and dz",
+                          words[j][1]);
             const wrong wrong = {&programs[i], false, QUESTION_DELTA, words[j][0], 0, message.text, ON_BOTH};
             check_wrong(&wrong);
         }
@@ -489,9 +501,12 @@ static void test_delta_is_held_against_the_smallest_length(void)
     static const struct {
         const char *answers, *words; /* NULL: it is fine */
     } rows[] = {
-        {".2 .5 .5 .1 .1 .1 .3", "less than 0.2"}, {".5 .2 .5 .1 .1 .1 .3", "less than 0.2"},
-        {".5 .5 .2 .1 .1 .1 .3", "less than 0.2"}, {".5 .5 .2 .1 .1 .1 .2", "less than 0.2"},
-        {".5 .5 .5 .1 .1 .1 .3", NULL},            {".5 .5 .5 .1 .1 .1 .499", NULL},
+        {".2 .5 .5 .1 .1 .1 .3", "less than 0.2"},
+        {".5 .2 .5 .1 .1 .1 .3", "less than 0.2"},
+        {".5 .5 .2 .1 .1 .1 .3", "less than 0.2"},
+        {".5 .5 .2 .1 .1 .1 .2", "less than 0.2"},
+        {".5 .5 .5 .1 .1 .1 .3", NULL},
+        {".5 .5 .5 .1 .1 .1 .499", NULL},
     };
     for (int i = 0; i < PROGRAMS; i++) {
         for (size_t j = 0; j < sizeof rows / sizeof rows[0]; j++) {
@@ -616,7 +631,8 @@ static void check_going_on(const tested *program, int question, size_t at)
 /* Whoever types all numbers again means those, and not the ones before. */
 static void check_typing_again(const tested *program, int question, size_t at)
 {
-    const string what = string_of("%s, typing all again for want of %s", program->name, program->value_names[at]);
+    const string what =
+        string_of("%s, typing all again for want of %s", program->name, program->value_names[at]);
     const string again = right_answer(program, question), folder = folder_new();
     string words = {""};
     for (size_t i = program->starts[question]; i < at; i++) {
@@ -688,13 +704,15 @@ static void test_numbers_over_many_lines_or_on_one(void)
 }
 
 /*
- * An answer and half the next on one line; an empty line first; the end of the file right after the last digit.
- * Not on a terminal where the second line has as many numbers as the question asks for: it is then typed again.
+ * An answer and half the next on one line; an empty line first; the end of the file right after the last
+ * digit. Not on a terminal where the second line has as many numbers as the question asks for: it is then
+ * typed again.
  */
 static void test_answers_cut_anywhere(void)
 {
     for (int i = 0; i < PROGRAMS; i++) {
-        const size_t last = programs[i].starts[QUESTIONS], tolerances = programs[i].starts[QUESTION_TOLERANCES];
+        const size_t tolerances = programs[i].starts[QUESTION_TOLERANCES];
+        const size_t last = programs[i].starts[QUESTIONS];
         for (size_t cut = 1; cut < last; cut++) {
             const string first = words_between(&programs[i], 0, cut);
             const string second = words_between(&programs[i], cut, last);
@@ -710,9 +728,10 @@ static void test_answers_cut_anywhere(void)
 
 static void test_numbers_in_other_forms(void)
 {
-    static const char *const forms[] = {"200",      "+200",    "200.",     "200.0",   "0200",
-                                        "2e2",      "2E+02",   ".2e3",     "20000e-2", "2.00e0000002",
-                                        "200.0000000000000000000000000000000000000000000000000001"};
+    static const char *const forms[] = {
+        "200", "+200", "200.", "200.0", "0200", "2e2", "2E+02", ".2e3", "20000e-2", "2.00e0000002",
+        "200.0000000000000000000000000000000000000000000000000001",
+    };
     for (int i = 0; i < PROGRAMS; i++) {
         for (size_t j = 0; j < sizeof forms / sizeof forms[0]; j++) {
             const string rest = words_between(&programs[i], 1, programs[i].starts[QUESTIONS]);

@@ -18,13 +18,16 @@
 
 enum { SECONDS = 20 };
 
-/* The process that runs, and this side of its wires. A terminal's stays open to the end: a hangup is a signal. */
+/* The process that runs, and our side of its wires; a terminal's is open to the end: a hangup is a signal. */
 static struct running {
     pid_t id;                            /* 0: none */
     int input, output, errors, terminal; /* -1: none, or closed */
 } running = {0, -1, -1, -1, -1};
 
 static volatile sig_atomic_t timed_out;
+
+/* What runs, for failures. */
+static string command;
 
 /* The folder that holds the test's folders, "" where there is none yet, and how many it has given. */
 static string root;
@@ -254,11 +257,22 @@ static void on_alarm(int number)
     }
 }
 
+static void name_command(const process_setup *setup)
+{
+    const char *slash = strrchr(setup->program, '/');
+    command = string_of("%s", slash != NULL ? slash + 1 : setup->program);
+    for (int i = 0; setup->arguments != NULL && setup->arguments[i] != NULL; i++) {
+        const size_t length = strlen(command.text);
+        snprintf(command.text + length, sizeof command.text - length, " %s", setup->arguments[i]);
+    }
+}
+
 void process_start(process *process, const process_setup *setup)
 {
     const struct sigaction alarmed = {.sa_handler = on_alarm};
     *process = (struct process){0};
     timed_out = 0;
+    name_command(setup);
     sigaction(SIGALRM, &alarmed, NULL);
     signal(SIGPIPE, SIG_IGN);
     ends ends = open_ends(setup);
@@ -287,7 +301,7 @@ static void take(int *end, text *said)
 {
     const size_t room = sizeof said->bytes - 1 - said->length;
     if (room == 0) {
-        fail_with("it says more than %zu bytes", sizeof said->bytes - 1);
+        fail_with("%s: says more than %zu bytes", command.text, sizeof said->bytes - 1);
     }
     const ssize_t got = read(*end, said->bytes + said->length, room);
     if (got > 0) {
@@ -353,8 +367,9 @@ void process_expect(process *process, const char *words)
     const char *found;
     while ((found = strstr(process->errors.bytes + process->seen, words)) == NULL) {
         if (!listen_on(process)) {
-            fail_with("expected it to say \"%s\"; it said \"%s\"%s", words,
-                      process->errors.bytes + process->seen, in_time());
+            fail_with("%s: expected \"%s\" after \"%.*s\"; it said \"%s\"%s", command.text, words,
+                      (int)process->seen, process->errors.bytes, process->errors.bytes + process->seen,
+                      in_time());
         }
     }
     process->seen = (size_t)(found - process->errors.bytes) + strlen(words);
@@ -390,7 +405,8 @@ void process_finish(process *process)
     close_end(&running.terminal);
     process->status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     if (timed_out) {
-        fail_with("not done after %d seconds; it said \"%s\"", SECONDS, process->errors.bytes);
+        fail_with("%s: not done after %d seconds; it said \"%s\"", command.text, SECONDS,
+                  process->errors.bytes);
     }
 }
 
@@ -486,8 +502,8 @@ void folder_list(const char *folder, text *names)
     size_t length = 0;
     names->bytes[0] = '\0';
     for (int i = 0; i < count; i++) {
-        const int more = snprintf(names->bytes + length, sizeof names->bytes - length, "%s%s", i > 0 ? " " : "",
-                                  entries[i]->d_name);
+        const int more = snprintf(names->bytes + length, sizeof names->bytes - length, "%s%s",
+                                  i > 0 ? " " : "", entries[i]->d_name);
         length += more > 0 && (size_t)more < sizeof names->bytes - length ? (size_t)more : 0;
         free(entries[i]);
     }

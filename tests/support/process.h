@@ -7,9 +7,9 @@
 #include <sys/types.h>
 
 /*
- * Programs, run as their users run them: on pipes, or on a terminal of their own; and the files that they leave.
- * What stands in a test's way (no such program, no answer in time, no such file) fails the test. One process runs
- * at a time. Every test program calls process_clean_up in its tearDown.
+ * Programs, run as their users run them: on pipes, or on a terminal of their own; and the files that they
+ * leave. What stands in a test's way (no such program, no answer in time, no such file) fails the test. One
+ * process runs at a time. Every test program calls process_clean_up in its tearDown.
  */
 
 /* What a program wrote, or what a file holds. A zero byte follows. */

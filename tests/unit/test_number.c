@@ -64,7 +64,7 @@ static void test_overflow_is_told_apart(void)
 
 static void check_shortest(const char *expected, double value, const armtol_errata *errata)
 {
-    TEST_ASSERT_EQUAL_STRING(expected, number_shortest(armtol_stored(errata, value), errata).text);
+    TEST_ASSERT_EQUAL_STRING(expected, number_shortest(armtol_stored(errata, value), errata, &(number_text){""}));
 }
 
 /* The neighbours of 0.5 are 6e-8 away as floats, 1.1e-16 as doubles. */
