@@ -22,9 +22,10 @@ bool built_arm_start(built_arm *arm, const armtol_link links[], size_t n_links, 
 void built_arm_free(built_arm *arm);
 
 /*
- * Where the tool is with these errors of the parameters, one a column, less where it should be, by Eq. (4.1) and
- * nothing linear: the displacement of the tool point, then the rotation vector (axis times angle, for angles
- * less than pi) that turns the wished orientation into the true one; both in base coordinates, like A's rows.
+ * Where the tool is with these errors of the parameters, one a column, less where it should be, by Eq. (4.1)
+ * and nothing linear: the displacement of the tool point, then the rotation vector (axis times angle, for
+ * angles less than pi) that turns the orientation as drawn into that as built; both in base coordinates, like
+ * A's rows.
  */
 void built_arm_error(const built_arm *arm, const double errors[], double error[6]);
 
