@@ -1,9 +1,9 @@
 #include "options.h"
 
 #include "exit_code.h"
+#include "flags.h"
 #include "message.h"
 
-#include <getopt.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
@@ -67,14 +67,9 @@ static const struct option long_options[] = {
     {NULL, 0, NULL, 0},
 };
 
-static bool usage(const char *what, const char *argument)
+static bool take(int option, const char *argument, void *context)
 {
-    message("%s %s; expected options as in --help", what, message_quote(argument, &(quoted){""}));
-    return false;
-}
-
-static bool apply(int option, const char *argument, options *options)
-{
+    options *options = context;
     switch (option) {
     case 'o':
         options->folder = argument;
@@ -98,26 +93,11 @@ static bool apply(int option, const char *argument, options *options)
 int options_parse(int argc, char *argv[], options *options)
 {
     *options = (struct options){ACTION_RUN, ".", 1, armtol_errata_1987};
-    opterr = 0;
-    for (;;) {
-        const int at = optind;
-        const int option = getopt_long(argc, argv, "+:o:r:f:lhV", long_options, NULL);
-        bool fine = true;
-        if (option == -1) {
-            break;
-        } else if (option == '?') {
-            fine = usage("unknown option", argv[at]);
-        } else if (option == ':') {
-            fine = usage("an argument is missing after", argv[at]);
-        } else {
-            fine = apply(option, optarg, options);
-        }
-        if (!fine) {
-            return EXIT_WRONG;
-        }
+    if (!flags_read(argc, argv, "+:o:r:f:lhV", long_options, take, options)) {
+        return EXIT_WRONG;
     }
     if (optind < argc) {
-        usage("unexpected argument", argv[optind]);
+        flags_wrong("unexpected argument", argv[optind]);
         return EXIT_WRONG;
     }
     return EXIT_OK;

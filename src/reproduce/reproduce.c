@@ -71,7 +71,7 @@ static bool apply(int option, arguments *arguments)
         arguments->runner = optarg;
         return true;
     case OPTION_FORMAT:
-        return table_format_of(optarg, &arguments->format);
+        return table_format_parse(optarg, &arguments->format);
     case MODE_ERRATA:
     case MODE_WALK:
     case MODE_PORTABILITY:

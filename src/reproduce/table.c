@@ -1,10 +1,12 @@
 #include "table.h"
 
+#include "message.h"
+
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
-bool table_format_of(const char *name, table_format *format)
+bool table_format_parse(const char *name, table_format *format)
 {
     static const char *const names[FORMAT_COUNT] = {"text", "markdown", "tsv"};
     for (int i = 0; i < FORMAT_COUNT; i++) {
@@ -13,6 +15,7 @@ bool table_format_of(const char *name, table_format *format)
             return true;
         }
     }
+    message("--format: unknown format %s; expected text, markdown or tsv", message_quote(name, &(quoted){""}));
     return false;
 }
 

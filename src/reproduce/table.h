@@ -24,8 +24,8 @@ typedef struct table {
     table_row *rows; /* the first is the head */
 } table;
 
-/* "text", "markdown" or "tsv". */
-bool table_format_of(const char *name, table_format *format);
+/* "text", "markdown" or "tsv", the argument of --format; false, after a message, for any other. */
+bool table_format_parse(const char *name, table_format *format);
 
 /* n_columns is at most TABLE_COLUMNS. */
 void table_start(table *table, size_t n_columns);

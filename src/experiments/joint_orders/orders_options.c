@@ -1,9 +1,9 @@
 #include "orders_options.h"
 
 #include "exit_code.h"
+#include "flags.h"
 #include "message.h"
 
-#include <getopt.h>
 #include <string.h>
 
 void orders_options_help(void)
@@ -29,16 +29,6 @@ void orders_options_help(void)
            "  -V, --version           show the version and exit\n"
            "\n"
            "Exit status: 0 done, 2 wrong input or usage, 1 any other failure.\n");
-}
-
-static bool parse_format(const char *text, table_format *format)
-{
-    const bool fine = table_format_of(text, format);
-    if (!fine) {
-        message("--format: unknown format %s; expected text, markdown or tsv",
-                message_quote(text, &(quoted){""}));
-    }
-    return fine;
 }
 
 static const char *quote_item(const char *item, size_t length, quoted *quote)
@@ -102,21 +92,16 @@ static const struct option long_options[] = {
     {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0},
 };
 
-static bool usage(const char *what, const char *argument)
+static bool take(int option, const char *argument, void *context)
 {
-    message("%s %s; expected options as in --help", what, message_quote(argument, &(quoted){""}));
-    return false;
-}
-
-static bool apply(int option, const char *argument, orders_options *options)
-{
+    orders_options *options = context;
     switch (option) {
     case 's':
         return parse_show(argument, options);
     case 'g':
         return parse_list(argument, parse_given, options);
     case 'f':
-        return parse_format(argument, &options->format);
+        return table_format_parse(argument, &options->format);
     case 'h':
         options->action = ORDERS_HELP;
         return true;
@@ -126,45 +111,19 @@ static bool apply(int option, const char *argument, orders_options *options)
     }
 }
 
-static bool parse_flags(int argc, char *argv[], orders_options *options)
-{
-    opterr = 0;
-    for (;;) {
-        const int at = optind;
-        const int option = getopt_long(argc, argv, "+:s:g:f:hV", long_options, NULL);
-        if (option == -1) {
-            return true;
-        }
-        const bool fine = option == '?'   ? usage("unknown option", argv[at])
-                          : option == ':' ? usage("an argument is missing after", argv[at])
-                                          : apply(option, optarg, options);
-        if (!fine) {
-            return false;
-        }
-    }
-}
-
 int orders_options_parse(int argc, char *argv[], orders_options *options)
 {
     *options = (orders_options){.action = ORDERS_RUN, .format = FORMAT_TEXT};
     for (int i = 0; i < PART_COUNT; i++) {
         options->show[i] = i != PART_ALL;
     }
-    if (!parse_flags(argc, argv, options)) {
+    if (!flags_read(argc, argv, "+:s:g:f:hV", long_options, take, options)) {
         return EXIT_WRONG;
     }
     if (options->action != ORDERS_RUN) {
         return EXIT_OK;
     }
-    if (optind == argc) {
-        message("the table of the paper's numbers is missing; expected joint-orders [OPTION]... PUBLISHED");
-        return EXIT_WRONG;
-    }
-    options->published = argv[optind++];
-    if (optind < argc) {
-        message("unexpected argument %s; expected joint-orders [OPTION]... PUBLISHED",
-                message_quote(argv[optind], &(quoted){""}));
-        return EXIT_WRONG;
-    }
-    return EXIT_OK;
+    options->published = flags_argument(argc, argv, "the table of the paper's numbers",
+                                        "joint-orders [OPTION]... PUBLISHED");
+    return options->published != NULL ? EXIT_OK : EXIT_WRONG;
 }

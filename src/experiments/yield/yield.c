@@ -73,13 +73,6 @@ int main(int argc, char *argv[])
 {
     yield_options options;
     message_start("yield");
-    int code = yield_options_parse(argc, argv, &options);
-    if (code == EXIT_OK) {
-        code = act(&options);
-    }
-    if (code == EXIT_OK && (fflush(stdout) != 0 || ferror(stdout))) {
-        message("cannot write to standard output");
-        code = EXIT_FAILED;
-    }
-    return code;
+    const int code = yield_options_parse(argc, argv, &options);
+    return exit_code_of_output(code == EXIT_OK ? act(&options) : code);
 }

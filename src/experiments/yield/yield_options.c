@@ -1,10 +1,10 @@
 #include "yield_options.h"
 
 #include "exit_code.h"
+#include "flags.h"
 #include "message.h"
 
 #include <errno.h>
-#include <getopt.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -63,15 +63,6 @@ static bool parse_reading(const char *text, length_reading *reading)
     return fine;
 }
 
-static bool parse_format(const char *text, table_format *format)
-{
-    const bool fine = table_format_of(text, format);
-    if (!fine) {
-        message("--format: unknown format %s; expected text, markdown or tsv", message_quote(text, &(quoted){""}));
-    }
-    return fine;
-}
-
 static const struct option long_options[] = {
     {"samples", required_argument, NULL, 'n'}, {"seed", required_argument, NULL, 's'},
     {"lengths", required_argument, NULL, 'l'}, {"format", required_argument, NULL, 'f'},
@@ -79,14 +70,9 @@ static const struct option long_options[] = {
     {NULL, 0, NULL, 0},
 };
 
-static bool usage(const char *what, const char *argument)
+static bool take(int option, const char *argument, void *context)
 {
-    message("%s %s; expected options as in --help", what, message_quote(argument, &(quoted){""}));
-    return false;
-}
-
-static bool apply(int option, const char *argument, yield_options *options)
-{
+    yield_options *options = context;
     switch (option) {
     case 'n':
         return parse_samples(argument, &options->samples);
@@ -95,7 +81,7 @@ static bool apply(int option, const char *argument, yield_options *options)
     case 'l':
         return parse_reading(argument, &options->reading);
     case 'f':
-        return parse_format(argument, &options->format);
+        return table_format_parse(argument, &options->format);
     case 'h':
         options->action = YIELD_HELP;
         return true;
@@ -105,42 +91,16 @@ static bool apply(int option, const char *argument, yield_options *options)
     }
 }
 
-static bool parse_flags(int argc, char *argv[], yield_options *options)
-{
-    opterr = 0;
-    for (;;) {
-        const int at = optind;
-        const int option = getopt_long(argc, argv, "+:n:s:l:f:hV", long_options, NULL);
-        if (option == -1) {
-            return true;
-        }
-        const bool fine = option == '?'   ? usage("unknown option", argv[at])
-                          : option == ':' ? usage("an argument is missing after", argv[at])
-                                          : apply(option, optarg, options);
-        if (!fine) {
-            return false;
-        }
-    }
-}
-
 int yield_options_parse(int argc, char *argv[], yield_options *options)
 {
     *options = (yield_options){YIELD_RUN, SAMPLES, SEED, LENGTHS_SHARE, FORMAT_TEXT, NULL};
-    if (!parse_flags(argc, argv, options)) {
+    if (!flags_read(argc, argv, "+:n:s:l:f:hV", long_options, take, options)) {
         return EXIT_WRONG;
     }
     if (options->action != YIELD_RUN) {
         return EXIT_OK;
     }
-    if (optind == argc) {
-        message("the table of the paper's numbers is missing; expected yield [OPTION]... PUBLISHED");
-        return EXIT_WRONG;
-    }
-    options->published = argv[optind++];
-    if (optind < argc) {
-        message("unexpected argument %s; expected yield [OPTION]... PUBLISHED",
-                message_quote(argv[optind], &(quoted){""}));
-        return EXIT_WRONG;
-    }
-    return EXIT_OK;
+    options->published = flags_argument(argc, argv, "the table of the paper's numbers",
+                                        "yield [OPTION]... PUBLISHED");
+    return options->published != NULL ? EXIT_OK : EXIT_WRONG;
 }
