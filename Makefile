@@ -15,7 +15,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
-.PHONY: all run test golden diff era install clean setup
+.PHONY: all run test golden diff era book book-check install clean setup
 
 all: setup
 	$(call quietly,$(CONFIGURE),configure)
@@ -43,6 +43,14 @@ diff: all
 # The legacy programs on an emulated 68020, nothing modelled. Needs Debian's cross compiler and qemu-user.
 era: all
 	@legacy/era $(BUILD)/reproduce golden $(BUILD)/era
+
+# The lab book: its tables and figures made anew (figures where gnuplot is), or held against the programs.
+book: all
+	@docs/lab-book/make-book $(BUILD)
+
+book-check: all
+	@docs/lab-book/make-book --check $(BUILD)
+	@docs/lab-book/check-numbers
 
 install: all
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)"
