@@ -187,13 +187,14 @@ static void test_the_shoulder_on_the_tool_axis_is_singular(void)
     const double quarter = 1.5707963267948966;
     const double above[] = {0, 0, 700, 0, 0, 0}, ahead[] = {500, 0, 359.7, 0, quarter, 0};
     const double at_shoulder[] = {0, 0, 359.7, 0.1, 0.2, 0.3};
-    const double beside[] = {500, 0.002, 359.7, 0, quarter, 0};
+    const double beside[] = {500, 0.002, 359.7, 0, quarter, 0}, above_it[] = {500, 0, 359.702, 0, quarter, 0};
     double q[6];
     armtol_reach reach;
     check_refused(&armtol_intelledex_605t, ARMTOL_SINGULAR, above, 700 - 100 - 359.7);
     check_refused(&armtol_intelledex_605t, ARMTOL_SINGULAR, ahead, 400);
     check_refused(&armtol_intelledex_605t, ARMTOL_SINGULAR, at_shoulder, 100);
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_intelledex_605t.inverse(beside, &armtol_errata_1987, q, &reach));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_intelledex_605t.inverse(above_it, &armtol_errata_1987, q, &reach));
 }
 
 static void test_out_of_reach_comes_before_singular(void)
