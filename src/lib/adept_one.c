@@ -1,9 +1,9 @@
 #include "armtol/robots.h"
 
 #include "arithmetic.h"
+#include "finite.h"
 
 #include <math.h>
-#include <stdbool.h>
 #include <string.h>
 
 enum { LINKS = 6, JOINTS = 4, WISH = 4 };
@@ -47,15 +47,6 @@ static void forward(const double q[], const armtol_errata *errata, double wish[]
         wish[i] = tool.m[i][3];
     }
     wish[3] = store(errata, atan2(tool.m[1][0], tool.m[0][0]));
-}
-
-static bool all_finite(const double values[], size_t count)
-{
-    bool finite = true;
-    for (size_t i = 0; i < count; i++) {
-        finite = finite && isfinite(values[i]);
-    }
-    return finite;
 }
 
 /* The elbow by the law of cosines; q2 = pi - acos(c) lies between 0 and pi. */

@@ -4,8 +4,7 @@
 #include "armtol/link_transform.h"
 #include "armtol/twist_transform.h"
 #include "arithmetic.h"
-
-#include <math.h>
+#include "finite.h"
 
 size_t armtol_column_count(const armtol_link links[], size_t n_links)
 {
@@ -115,16 +114,6 @@ void armtol_refer_to_point(double matrix[], size_t n_columns, const double point
     }
 }
 
-static armtol_status check_finite(const double matrix[], size_t count)
-{
-    for (size_t i = 0; i < count; i++) {
-        if (!isfinite(matrix[i])) {
-            return ARMTOL_NOT_FINITE;
-        }
-    }
-    return ARMTOL_OK;
-}
-
 armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, const armtol_errata *errata,
                                   double matrix[], size_t n_columns)
 {
@@ -139,5 +128,5 @@ armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, con
         const double point[3] = {tool.m[0][3], tool.m[1][3], tool.m[2][3]};
         armtol_refer_to_point(matrix, n_columns, point, errata);
     }
-    return check_finite(matrix, 6 * n_columns);
+    return all_finite(matrix, 6 * n_columns) ? ARMTOL_OK : ARMTOL_NOT_FINITE;
 }

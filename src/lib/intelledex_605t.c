@@ -4,6 +4,7 @@
 #include "armtol/solve.h"
 #include "armtol/transform.h"
 #include "arithmetic.h"
+#include "finite.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -152,10 +153,8 @@ static armtol_status inverse(const double wish[], const armtol_errata *errata, d
                              armtol_reach *reach)
 {
     double solved[JOINTS];
-    for (int i = 0; i < WISH; i++) {
-        if (!isfinite(wish[i])) {
-            return ARMTOL_NOT_FINITE;
-        }
+    if (!all_finite(wish, WISH)) {
+        return ARMTOL_NOT_FINITE;
     }
     *reach = reach_of(wish);
     const armtol_status status = solve_all(wish, errata, solved);

@@ -1,8 +1,7 @@
 #include "armtol/link.h"
 
 #include "arithmetic.h"
-
-#include <math.h>
+#include "finite.h"
 
 typedef struct kind_row {
     const char *name;
@@ -55,12 +54,7 @@ static armtol_status check_link(const armtol_link *link)
         return ARMTOL_BAD_JOINT;
     }
     const double values[] = {link->a, link->alpha, link->d, link->theta, link->beta};
-    for (size_t i = 0; i < sizeof values / sizeof values[0]; i++) {
-        if (!isfinite(values[i])) {
-            return ARMTOL_NOT_FINITE;
-        }
-    }
-    return ARMTOL_OK;
+    return all_finite(values, sizeof values / sizeof values[0]) ? ARMTOL_OK : ARMTOL_NOT_FINITE;
 }
 
 armtol_status armtol_links_check(const armtol_link links[], size_t n_links)

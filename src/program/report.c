@@ -91,3 +91,10 @@ void report_joints(FILE *stream, const analysis *analysis)
         fprintf(stream, "check[%zu] = %f\n", i, analysis->check[i]);
     }
 }
+
+const report_file report_files[REPORT_FILES] = {
+    [REPORT_MATRIX] = {"a", report_matrix},
+    [REPORT_ORDERED] = {"at", report_ordered},
+    [REPORT_TOLERANCES] = {"tol", report_tolerances},
+    [REPORT_MACHINING] = {"mach", report_machining},
+};

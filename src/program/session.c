@@ -91,24 +91,15 @@ static bool judge_delta(const double delta[], void *context)
     return status == ARMTOL_OK;
 }
 
-/* A file of the run: what comes between prefix and number in its name, and what writes it. */
-typedef struct part {
-    const char *name;
-    void (*write)(FILE *stream, const void *data);
-} part;
-
-/* The files that are written before the tolerances are asked for, and at the end. */
-static const part matrix_parts[2] = {{"a", report_matrix}, {"at", report_ordered}};
-static const part tolerance_parts[2] = {{"tol", report_tolerances}, {"mach", report_machining}};
-
-static int write_pair(const session *session, const folder *folder, int run, const part parts[2])
+/* Write the file `first` of report_files and the one after it, together. */
+static int write_pair(const session *session, const folder *folder, int run, int first)
 {
     outfile files[2];
     const report report = {session->program, session->analysis};
     for (int i = 0; i < 2; i++) {
-        snprintf(files[i].name, sizeof files[i].name, "%s%s.%d", session->program->file_prefix, parts[i].name,
-                 run);
-        files[i].write = parts[i].write;
+        const report_file *file = &report_files[first + i];
+        snprintf(files[i].name, sizeof files[i].name, "%s%s.%d", session->program->file_prefix, file->part, run);
+        files[i].write = file->write;
     }
     return outfiles_write(folder, files, 2, &report) ? EXIT_OK : EXIT_FAILED;
 }
@@ -124,7 +115,7 @@ static int first_part(session *session, dialogue *dialogue, const folder *folder
     }
     report_joints(stderr, session->analysis);
     message_answered();
-    return write_pair(session, folder, run, matrix_parts);
+    return write_pair(session, folder, run, REPORT_MATRIX);
 }
 
 /* From the tolerances to the files of tolerances. */
@@ -138,7 +129,7 @@ static int second_part(session *session, dialogue *dialogue, const folder *folde
     if (code == EXIT_OK) {
         code = dialogue_ask(dialogue, &share, judge_delta, session, delta);
     }
-    return code == EXIT_OK ? write_pair(session, folder, run, tolerance_parts) : code;
+    return code == EXIT_OK ? write_pair(session, folder, run, REPORT_TOLERANCES) : code;
 }
 
 /* Nobody should build an arm to the numbers of 1987 unawares. */

@@ -1,7 +1,6 @@
 #include "measure.h"
 
 #include "compare.h"
-#include "message.h"
 #include "recompute.h"
 
 #include <stdio.h>
@@ -22,26 +21,6 @@ static bool set_bounds(const published_list *list, size_t first, const armtol_er
     return true;
 }
 
-static table_row *add_row(table *table, const char *label)
-{
-    table_row *row = table_add(table);
-    if (row == NULL) {
-        message("out of memory");
-    } else {
-        table_set(row, 0, "%s", label);
-    }
-    return row;
-}
-
-static bool add_head(table *table, const char *const cells[])
-{
-    table_row *row = add_row(table, cells[0]);
-    for (size_t j = 1; row != NULL && j < table->n_columns; j++) {
-        table_set(row, j, "%s", cells[j]);
-    }
-    return row != NULL;
-}
-
 static armtol_errata with_one(armtol_errata errata, const char *id, bool keep)
 {
     armtol_erratum_keep(&errata, id, keep);
@@ -53,14 +32,14 @@ static bool errata_rows(const published_list *list, size_t first, table *table)
     static const char *const head[] = {"erratum",      "without it: mm", "without it: rad",
                                        "it alone: mm", "it alone: rad"};
     table_row *row;
-    bool fine = add_head(table, head) && (row = add_row(table, "(all as of 1987; none)")) != NULL &&
+    bool fine = table_add_head(table, head) && (row = table_add(table, "(all as of 1987; none)")) != NULL &&
                 set_bounds(list, first, &armtol_errata_1987, row, 1) &&
                 set_bounds(list, first, &armtol_errata_none, row, 3);
     for (size_t i = 0; i < armtol_errata_count() && fine; i++) {
         const char *id = armtol_erratum(i)->id;
         const armtol_errata without = with_one(armtol_errata_1987, id, false);
         const armtol_errata alone = with_one(armtol_errata_none, id, true);
-        row = add_row(table, id);
+        row = table_add(table, id);
         fine = row != NULL && set_bounds(list, first, &without, row, 1) && set_bounds(list, first, &alone, row, 3);
     }
     return fine;
@@ -71,13 +50,13 @@ static bool walk_rows(const published_list *list, size_t first, table *table)
     static const char *const head[] = {"corrected so far", "distance bound, mm", "angle bound, rad"};
     armtol_errata errata = armtol_errata_1987;
     table_row *row;
-    bool fine = add_head(table, head) && (row = add_row(table, "nothing")) != NULL &&
+    bool fine = table_add_head(table, head) && (row = table_add(table, "nothing")) != NULL &&
                 set_bounds(list, first, &errata, row, 1);
     for (size_t i = 0; i < armtol_errata_count() && fine; i++) {
         char label[TABLE_CELL];
         snprintf(label, sizeof label, "+ %s", armtol_erratum(i)->id);
         errata = with_one(errata, armtol_erratum(i)->id, false);
-        row = add_row(table, label);
+        row = table_add(table, label);
         fine = row != NULL && set_bounds(list, first, &errata, row, 1);
     }
     return fine;
@@ -117,11 +96,12 @@ static bool recompute_ways(const published_list *list, size_t first, char *files
 /* One published number and what each way makes of it; a star where they differ. */
 static bool add_ways(const published_number *number, char *const files[WAYS], size_t agreeing[WAYS], table *table)
 {
-    table_row *row = add_row(table, number->quantity);
+    char label[2 * TABLE_CELL]; /* the cell cuts it */
+    snprintf(label, sizeof label, "%s %d: %s", number->program, number->case_number, number->quantity);
+    table_row *row = table_add(table, label);
     if (row == NULL) {
         return false;
     }
-    table_set(row, 0, "%s %d: %s", number->program, number->case_number, number->quantity);
     table_set(row, 1, "%s", number->value);
     for (int w = 0; w < WAYS; w++) {
         const comparison comparison = compare_number(number, files[w]);
@@ -138,7 +118,7 @@ static bool portability_rows(const published_list *list, table *table)
                                        "float, pi", "double, 3.14159", "double, pi"};
     char *files[WAYS] = {NULL};
     size_t agreeing[WAYS] = {0}, results = 0;
-    bool fine = add_head(table, head);
+    bool fine = table_add_head(table, head);
     for (size_t i = 0; i < list->count && fine; i++) {
         if (published_begins_case(list, i)) {
             fine = recompute_ways(list, i, files);
@@ -149,7 +129,7 @@ static bool portability_rows(const published_list *list, table *table)
         }
     }
     free_files(files);
-    table_row *row = fine ? add_row(table, "reproduced") : NULL;
+    table_row *row = fine ? table_add(table, "reproduced") : NULL;
     for (int w = 0; w < WAYS && row != NULL; w++) {
         table_set(row, (size_t)w + 2, "%zu of %zu", agreeing[w], results);
     }
@@ -158,9 +138,9 @@ static bool portability_rows(const published_list *list, table *table)
 
 static void print_title(const published_number *number, table_format format)
 {
-    const char *const before[FORMAT_COUNT] = {"\n", "\n### ", "# "};
-    const char *const after[FORMAT_COUNT] = {"\n\n", "\n\n", "\n"};
-    printf("%s%s, case %d%s", before[format], number->program, number->case_number, after[format]);
+    char title[TABLE_CELL];
+    snprintf(title, sizeof title, "%s, case %d", number->program, number->case_number);
+    table_print_title(title, NULL, format, stdout);
 }
 
 /* One table a case. */

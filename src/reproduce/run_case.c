@@ -2,6 +2,7 @@
 
 #include "message.h"
 #include "program.h"
+#include "report.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -54,6 +55,12 @@ bool make_folders(const char *path)
     }
     free(part);
     return fine;
+}
+
+/* A file of report_files in a case's folder. */
+static char *path_of_file(const char *folder, const program *program, int file)
+{
+    return path_of("%s/%s%s.1", folder, program->file_prefix, report_files[file].part);
 }
 
 static char *case_folder(const run_settings *settings, const published_number *number)
@@ -161,11 +168,10 @@ static bool run_in(const run_settings *settings, const published_number *number,
 /* What an earlier run has left must not pass for what this one writes. */
 static bool remove_old(const published_number *number, const char *folder)
 {
-    static const char *const parts[] = {"a", "at", "tol", "mach"};
     const program *program = program_named(number->program);
     bool fine = true;
-    for (int i = 0; program != NULL && i < 4 && fine; i++) {
-        char *path = path_of("%s/%s%s.1", folder, program->file_prefix, parts[i]);
+    for (int i = 0; program != NULL && i < REPORT_FILES && fine; i++) {
+        char *path = path_of_file(folder, program, i);
         fine = path != NULL && (remove(path) == 0 || errno == ENOENT || complain(path));
         free(path);
     }
@@ -213,13 +219,12 @@ static char *append_file(char *text, size_t *length, const char *path)
 
 char *run_case_results(const run_settings *settings, const published_number *number)
 {
-    static const char *const parts[] = {"tol", "mach"};
     const program *program = program_named(number->program);
     char *folder = case_folder(settings, number);
     char *text = folder != NULL && program != NULL ? calloc(1, 1) : NULL;
     size_t length = 0;
-    for (int i = 0; i < 2 && text != NULL; i++) {
-        char *path = path_of("%s/%s%s.1", folder, program->file_prefix, parts[i]);
+    for (int i = REPORT_TOLERANCES; i <= REPORT_MACHINING && text != NULL; i++) {
+        char *path = path_of_file(folder, program, i);
         if (path != NULL) {
             text = append_file(text, &length, path);
         } else {

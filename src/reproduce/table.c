@@ -32,15 +32,27 @@ void table_free(table *table)
     table_start(table, 0);
 }
 
-table_row *table_add(table *table)
+table_row *table_add(table *table, const char *first_cell)
 {
     table_row *grown = realloc(table->rows, (table->n_rows + 1) * sizeof *grown);
     if (grown == NULL) {
+        message("out of memory");
         return NULL;
     }
     table->rows = grown;
-    memset(&table->rows[table->n_rows], 0, sizeof *grown);
-    return &table->rows[table->n_rows++];
+    table_row *row = &table->rows[table->n_rows++];
+    memset(row, 0, sizeof *row);
+    table_set(row, 0, "%s", first_cell);
+    return row;
+}
+
+bool table_add_head(table *table, const char *const cells[])
+{
+    table_row *row = table_add(table, cells[0]);
+    for (size_t j = 1; row != NULL && j < table->n_columns; j++) {
+        table_set(row, j, "%s", cells[j]);
+    }
+    return row != NULL;
 }
 
 void table_set(table_row *row, size_t column, const char *format, ...)
@@ -51,6 +63,18 @@ void table_set(table_row *row, size_t column, const char *format, ...)
         vsnprintf(row->cells[column], TABLE_CELL, format, arguments);
     }
     va_end(arguments);
+}
+
+void table_print_title(const char *title, const char *remark, table_format format, FILE *stream)
+{
+    static const char *const before[FORMAT_COUNT] = {"\n", "\n### ", "# "};
+    static const char *const between[FORMAT_COUNT] = {"\n", "\n\n", "\n# "};
+    static const char *const after[FORMAT_COUNT] = {"\n\n", "\n\n", "\n"};
+    fprintf(stream, "%s%s", before[format], title);
+    if (remark != NULL) {
+        fprintf(stream, "%s%s", between[format], remark);
+    }
+    fputs(after[format], stream);
 }
 
 static int width_of(const table *table, size_t column)

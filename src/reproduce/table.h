@@ -31,8 +31,12 @@ bool table_format_parse(const char *name, table_format *format);
 void table_start(table *table, size_t n_columns);
 void table_free(table *table);
 
-/* A new row of empty cells, to be used until the next is added; NULL where memory is short. */
-table_row *table_add(table *table);
+/*
+ * A new row, to be used until the next is added, its cells empty but for the first; and the head, a row with all of
+ * its cells. NULL and false, after a message, where memory is short.
+ */
+table_row *table_add(table *table, const char *first_cell);
+bool table_add_head(table *table, const char *const cells[]);
 
 /* printf into a cell; what is too long is cut. */
 void table_set(table_row *row, size_t column, const char *format, ...)
@@ -40,6 +44,9 @@ void table_set(table_row *row, size_t column, const char *format, ...)
     __attribute__((format(printf, 3, 4)))
 #endif
     ;
+
+/* What stands above a table: its title and, unless it is NULL, a line on what is below. */
+void table_print_title(const char *title, const char *remark, table_format format, FILE *stream);
 
 /* The first column to the left, the others to the right. */
 void table_print(const table *table, table_format format, FILE *stream);

@@ -30,10 +30,10 @@ static bool histogram_rows(const survey surveys[FAMILIES], table *table)
     const size_t most[FAMILIES] = {evidence_count(surveys[0].evidence), evidence_count(surveys[1].evidence)};
     uint64_t pairs[2 * MOST_VALUES + 1], total = 0;
     const char *const head[] = {"right", surveys[0].family->program, surveys[1].family->program, "pairs"};
-    bool fine = add_head(table, head);
+    bool fine = table_add_head(table, head);
     survey_pairs(&surveys[0], &surveys[1], pairs);
     for (size_t score = most[0] + most[1] + 1; score-- > 0 && fine;) {
-        table_row *row = add_row(table, "");
+        table_row *row = table_add(table, "");
         fine = row != NULL;
         if (fine) {
             table_set(row, 0, "%zu", score);
@@ -44,7 +44,7 @@ static bool histogram_rows(const survey surveys[FAMILIES], table *table)
             total += pairs[score];
         }
     }
-    table_row *row = fine ? add_row(table, "any") : NULL;
+    table_row *row = fine ? table_add(table, "any") : NULL;
     if (row != NULL) {
         table_set(row, 1, "%" PRIu64, surveys[0].configurations);
         table_set(row, 2, "%" PRIu64, surveys[1].configurations);
@@ -118,11 +118,11 @@ static bool choice_rows(const survey *survey, table *table)
     static const char *const head[] = {"option", "configurations", "all right", "one wrong", "most right",
                                        "wrong when changed alone", "verdict"};
     const family *family = survey->family;
-    bool fine = add_head(table, head);
+    bool fine = table_add_head(table, head);
     for (size_t i = 0; i < family->n_choices; i++) {
         for (size_t j = 0; j < choice_count(&family->choices[i]) && fine; j++) {
             const option_tally *tally = &survey->tallies[i][j];
-            table_row *row = add_row(table, label_of_option(family, i, j, &(label){""}));
+            table_row *row = table_add(table, label_of_option(family, i, j, &(label){""}));
             fine = row != NULL;
             if (fine) {
                 table_set(row, 1, "%" PRIu64, tally->configurations);
@@ -152,12 +152,12 @@ static bool margin_rows(const survey *survey, table *table)
                                        "to the next digit, 1e-9", "step of floats, 1e-9"};
     const evidence *evidence = survey->evidence;
     const configuration unrounded = family_unrounded(survey->family);
-    bool fine = add_head(table, head);
+    bool fine = table_add_head(table, head);
     for (size_t i = 0; i < evidence_count(evidence) && fine; i++) {
         double q[MOST_JOINTS];
         family_solve(survey->family, &unrounded, evidence->wishes[i / evidence->n_joints], q);
         const double value = q[i % evidence->n_joints];
-        table_row *row = add_row(table, label_of_value(evidence->numbers[i], &(label){""}));
+        table_row *row = table_add(table, label_of_value(evidence->numbers[i], &(label){""}));
         fine = row != NULL;
         if (fine) {
             table_set(row, 1, "%s", evidence->numbers[i]->value);
@@ -178,7 +178,7 @@ static bool open_row(const survey *survey, size_t choice, size_t option, table *
     if (!survey->family->matters(&alone, choice) || survey_misses(survey, &alone) != 0) {
         return true;
     }
-    table_row *row = add_row(table, label_of_option(survey->family, choice, option, &(label){""}));
+    table_row *row = table_add(table, label_of_option(survey->family, choice, option, &(label){""}));
     if (row == NULL || !elsewhere_compare_one(survey->family, &alone, WISHES_OF_ONE, &difference)) {
         return false;
     }
@@ -190,7 +190,7 @@ static bool open_row(const survey *survey, size_t choice, size_t option, table *
 static bool open_rows(const survey *survey, table *table)
 {
     static const char *const head[] = {"changed alone", "other digits, %", "by more than 10 units, %"};
-    bool fine = add_head(table, head);
+    bool fine = table_add_head(table, head);
     for (size_t i = 0; i < survey->family->n_choices; i++) {
         for (size_t j = 1; j < choice_count(&survey->family->choices[i]) && fine; j++) {
             fine = open_row(survey, i, j, table);
@@ -201,7 +201,7 @@ static bool open_rows(const survey *survey, table *table)
 
 static bool add_number(table *table, const char *text, size_t number)
 {
-    table_row *row = add_row(table, text);
+    table_row *row = table_add(table, text);
     if (row != NULL) {
         table_set(row, 1, "%zu", number);
     }
@@ -213,7 +213,7 @@ static bool spread_rows(const survey *survey, table *table)
     static const char *const head[] = {"of all that fit", "number"};
     elsewhere_spread spread;
     return elsewhere_compare_all(survey->family, survey->all, survey->n_all, WISHES_OF_ALL, &spread) &&
-           add_head(table, head) && add_number(table, "configurations", survey->n_all) &&
+           table_add_head(table, head) && add_number(table, "configurations", survey->n_all) &&
            add_number(table, "different sets of answers", spread.n_answers) &&
            add_number(table, "configurations with the library's answers", spread.n_same) &&
            add_number(table, "positions with other digits, the least of any", spread.least) &&
@@ -236,11 +236,11 @@ static bool print_open(const survey *survey, table_format format)
 static bool miss_rows(const survey *survey, table *table)
 {
     static const char *const head[] = {"wrong alone", "published", "computed", "configurations", "such as"};
-    bool fine = add_head(table, head);
+    bool fine = table_add_head(table, head);
     for (size_t i = 0; i < survey->n_misses && fine; i++) {
         const closest_miss *miss = &survey->misses[i];
         const published_number *number = survey->evidence->numbers[miss->value];
-        table_row *row = add_row(table, label_of_value(number, &(label){""}));
+        table_row *row = table_add(table, label_of_value(number, &(label){""}));
         fine = row != NULL;
         if (fine) {
             table_set(row, 1, "%s", number->value);

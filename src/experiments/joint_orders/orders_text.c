@@ -1,6 +1,5 @@
 #include "orders_text.h"
 
-#include "message.h"
 
 #include <stdarg.h>
 #include <string.h>
@@ -68,29 +67,7 @@ const char *label_of_values(const evidence *evidence, unsigned long values, labe
 
 void print_title(table_format format, const char *program, const char *title, const char *remark)
 {
-    static const char *const before[FORMAT_COUNT] = {"\n", "\n### ", "# "};
-    static const char *const between[FORMAT_COUNT] = {"\n", "\n\n", "\n# "};
-    static const char *const after[FORMAT_COUNT] = {"\n\n", "\n\n", "\n"};
-    printf("%s%s%s%s%s%s%s", before[format], program, program[0] != '\0' ? ": " : "", title, between[format],
-           remark, after[format]);
-}
-
-table_row *add_row(table *table, const char *first_cell)
-{
-    table_row *row = table_add(table);
-    if (row == NULL) {
-        message("out of memory");
-    } else {
-        table_set(row, 0, "%s", first_cell);
-    }
-    return row;
-}
-
-bool add_head(table *table, const char *const cells[])
-{
-    table_row *row = add_row(table, cells[0]);
-    for (size_t j = 1; row != NULL && j < table->n_columns; j++) {
-        table_set(row, j, "%s", cells[j]);
-    }
-    return row != NULL;
+    char whole[256];
+    snprintf(whole, sizeof whole, "%s%s%s", program, program[0] != '\0' ? ": " : "", title);
+    table_print_title(whole, remark, format, stdout);
 }

@@ -26,8 +26,4 @@ const char *label_of_values(const evidence *evidence, unsigned long values, labe
 /* A title and a line on what is below it, on standard output. program is "" where it is about both. */
 void print_title(table_format format, const char *program, const char *title, const char *remark);
 
-/* A row with its first cell; the head with all. NULL and false, after a message, where memory is short. */
-table_row *add_row(table *table, const char *first_cell);
-bool add_head(table *table, const char *const cells[]);
-
 #endif

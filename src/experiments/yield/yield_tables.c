@@ -1,6 +1,5 @@
 #include "yield_tables.h"
 
-#include "message.h"
 #include "share_interval.h"
 
 #include <stdio.h>
@@ -11,23 +10,15 @@ static const char *const set_names[SET_COUNT] = {"published", "corrected"};
 /* Fills the cells after the first, which names case and set. */
 typedef void fill_row(const set_result *set, table_row *row);
 
-static table_row *add_head(table *table, const char *const cells[])
-{
-    table_row *row = table_add(table);
-    for (size_t j = 0; row != NULL && j < table->n_columns; j++) {
-        table_set(row, j, "%s", cells[j]);
-    }
-    return row;
-}
-
 static bool add_sets(table *table, const yield_case *one, fill_row *fill)
 {
     for (int s = 0; s < SET_COUNT; s++) {
-        table_row *row = table_add(table);
+        char label[TABLE_CELL];
+        snprintf(label, sizeof label, "%s %d, %s", one->program, one->case_number, set_names[s]);
+        table_row *row = table_add(table, label);
         if (row == NULL) {
             return false;
         }
-        table_set(row, 0, "%s %d, %s", one->program, one->case_number, set_names[s]);
         fill(&one->sets[s], row);
     }
     return true;
@@ -35,9 +26,7 @@ static bool add_sets(table *table, const yield_case *one, fill_row *fill)
 
 static void finish(table *table, const char *title, table_format format)
 {
-    const char *const before[FORMAT_COUNT] = {"\n", "\n### ", "# "};
-    const char *const after[FORMAT_COUNT] = {"\n\n", "\n\n", "\n"};
-    printf("%s%s%s", before[format], title, after[format]);
+    table_print_title(title, NULL, format, stdout);
     table_print(table, format, stdout);
 }
 
@@ -47,7 +36,7 @@ static bool print_sets(const yield_case cases[], size_t n_cases, table_format fo
 {
     table table;
     table_start(&table, n_columns);
-    bool fine = add_head(&table, head) != NULL;
+    bool fine = table_add_head(&table, head);
     for (size_t i = 0; i < n_cases && fine; i++) {
         fine = add_sets(&table, &cases[i], fill);
     }
@@ -152,11 +141,10 @@ static bool print_worst(const yield_case cases[], size_t n_cases, table_format f
 static bool add_components(table *table, const yield_case *one)
 {
     for (size_t i = 0; i < 6; i++) {
-        table_row *row = table_add(table);
+        table_row *row = table_add(table, row_names[i]);
         if (row == NULL) {
             return false;
         }
-        table_set(row, 0, "%s", row_names[i]);
         table_set(row, 1, "%g", one->accuracy[i]);
         for (size_t s = 0; s < SET_COUNT; s++) {
             const row_corners *corners = &one->sets[s].rows[i];
@@ -177,7 +165,7 @@ static bool print_components(const yield_case *one, table_format format)
     snprintf(title, sizeof title, "%s, case %d: every component at its corners, mm and rad", one->program,
              one->case_number);
     table_start(&table, sizeof head / sizeof head[0]);
-    const bool fine = add_head(&table, head) != NULL && add_components(&table, one);
+    const bool fine = table_add_head(&table, head) && add_components(&table, one);
     if (fine) {
         finish(&table, title, format);
     }
@@ -191,9 +179,6 @@ bool yield_tables_print(const yield_case cases[], size_t n_cases, const yield_op
                 print_worst(cases, n_cases, options->format);
     for (size_t i = 0; i < n_cases && fine; i++) {
         fine = print_components(&cases[i], options->format);
-    }
-    if (!fine) {
-        message("out of memory");
     }
     return fine;
 }
