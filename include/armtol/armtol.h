@@ -16,6 +16,15 @@
 #include "armtol/bounds.h"
 #include "armtol/machining.h"
 
+#include "armtol/tool_point.h"
+#include "armtol/tool_matrix.h"
+#include "armtol/tool_error.h"
+#include "armtol/corners.h"
+#include "armtol/sampler.h"
+#include "armtol/allocation.h"
+#include "armtol/axes.h"
+#include "armtol/arm.h"
+
 #include "armtol/transform.h"
 #include "armtol/euler.h"
 #include "armtol/solve.h"

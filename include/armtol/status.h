@@ -13,6 +13,9 @@ typedef enum armtol_status {
     ARMTOL_BAD_TOLERANCE,   /* a tolerance that is not positive */
     ARMTOL_BAD_DELTA,       /* delta not between 0 and the smallest linear tolerance */
     ARMTOL_UNKNOWN_ERRATUM, /* a name that stands in no row of the errata table */
+    ARMTOL_BAD_WEIGHT,      /* a weight that is not positive */
+    ARMTOL_BAD_AXIS,        /* an axis without a direction, or of a joint that does not move */
+    ARMTOL_NOT_SOLVED,      /* an iteration that did not converge */
     ARMTOL_STATUS_COUNT     /* the number of the above, itself no status */
 } armtol_status;
 

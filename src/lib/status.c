@@ -16,6 +16,9 @@ const char *armtol_status_text(armtol_status status)
         [ARMTOL_BAD_TOLERANCE] = "a tolerance is not greater than zero",
         [ARMTOL_BAD_DELTA] = "delta is not between zero and the smallest linear tolerance",
         [ARMTOL_UNKNOWN_ERRATUM] = "no erratum has that name",
+        [ARMTOL_BAD_WEIGHT] = "a weight is not greater than zero",
+        [ARMTOL_BAD_AXIS] = "an axis has no direction or no joint that moves",
+        [ARMTOL_NOT_SOLVED] = "the iteration did not converge",
     };
     const size_t index = (size_t)status;
     return index < ARMTOL_STATUS_COUNT ? texts[index] : "unknown status";

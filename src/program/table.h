@@ -1,5 +1,5 @@
-#ifndef REPRODUCE_TABLE_H
-#define REPRODUCE_TABLE_H
+#ifndef PROGRAM_TABLE_H
+#define PROGRAM_TABLE_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 
 typedef enum table_format { FORMAT_TEXT, FORMAT_MARKDOWN, FORMAT_TSV, FORMAT_COUNT } table_format;
 
-enum { TABLE_COLUMNS = 8, TABLE_CELL = 64 };
+enum { TABLE_COLUMNS = 12, TABLE_CELL = 64 };
 
 typedef struct table_row {
     char cells[TABLE_COLUMNS][TABLE_CELL];

@@ -1,0 +1,55 @@
+#ifndef ARMTOL_SAMPLER_H
+#define ARMTOL_SAMPLER_H
+
+#include "armtol/link.h"
+#include "armtol/tool_point.h"
+
+#include <stddef.h>
+#include <stdint.h>
+
+/*
+ * Arms drawn at random: every parameter of arm i is off by a draw that is uniform within its tolerance and depends
+ * on the seed, i and the parameter's column alone: not on what was drawn before, on the machine or on the number of
+ * threads. Once a sampler is started its arithmetic calls nothing of libm but what rounds exactly.
+ */
+
+/* One link as the sampler needs it. Filled by armtol_sampler_start. */
+typedef struct armtol_sampled_link {
+    double a, d;
+    double cos_theta, sin_theta;
+    double cos_alpha, sin_alpha;
+    double cos_beta, sin_beta;
+    double tolerances[ARMTOL_PARAMETER_COUNT]; /* 0 for what the kind does not count */
+    size_t columns[ARMTOL_PARAMETER_COUNT];    /* meaningless for what the kind does not count */
+} armtol_sampled_link;
+
+typedef struct armtol_sampler {
+    const armtol_sampled_link *links;
+    size_t n_links;
+    size_t n_columns;
+    armtol_tool_point tool;
+    armtol_transform meant; /* where the last frame should be */
+    uint64_t seed;
+} armtol_sampler;
+
+/*
+ * Prepare to draw arms at one pose: links are placed, tolerances has one value >= 0 a column (error_matrix.h),
+ * prepared has n_links places and has to stay as long as the sampler is used. Samplers with the same seed and
+ * columns draw the same parts of their tolerances: one arm can be looked at in several poses.
+ * Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_columns is not armtol_column_count;
+ * ARMTOL_BAD_TOLERANCE for a tolerance that is negative; ARMTOL_NOT_FINITE for one that is not, or an offset.
+ */
+armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link prepared[],
+                                   const armtol_link links[], size_t n_links, const double tolerances[],
+                                   size_t n_columns, const armtol_tool_point *tool, uint64_t seed);
+
+/*
+ * The errors of the tool of arms first to first + count - 1, as armtol_tool_error has them; component i of arm
+ * first + j goes to errors[i * count + j].
+ */
+void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]);
+
+/* The parameter errors of one arm, n_columns values. */
+void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, double parameter_errors[]);
+
+#endif
