@@ -18,11 +18,11 @@ const char *armtol_length_unit_name(armtol_length_unit unit);
 typedef struct armtol_drive {
     double low, high;  /* the least and the largest joint value; -infinity and infinity where not known */
     double backlash;   /* how far the joint moves while its motor stands; nan where not known */
-    double compliance; /* how far it gives way to a unit of moment (of force, for a prismatic joint) */
+    double compliance; /* how far it gives way to a unit of moment (or force, if prismatic); 0 if stiff */
     double moment;     /* the largest moment that it bears, in any unit that fits that of compliance */
 } armtol_drive;
 
-/* A drive of which nothing is known. */
+/* A drive of which nothing is known: no limits, backlash nan; compliance and moment are 0. */
 extern const armtol_drive armtol_drive_unknown;
 
 /*
@@ -42,7 +42,11 @@ typedef struct armtol_arm {
     const armtol_drive *drives; /* n_links, a link's own; those of fixed links mean nothing */
 } armtol_arm;
 
-/* The built-in arms: index 0 to armtol_arm_count() - 1, NULL beyond; and by name, NULL where none has it. */
+/*
+ * The built-in arms: index 0 to armtol_arm_count() - 1, NULL beyond; and by name, NULL where none has it. All
+ * are in millimetres. Those of 1987 have the corrected tables of robots.h. docs/arms.md says where the
+ * numbers are from.
+ */
 size_t armtol_arm_count(void);
 const armtol_arm *armtol_arm_at(size_t index);
 const armtol_arm *armtol_arm_named(const char *name);

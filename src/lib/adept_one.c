@@ -1,6 +1,7 @@
 #include "armtol/robots.h"
 
 #include "arithmetic.h"
+#include "arms/arms.h"
 #include "finite.h"
 
 #include <math.h>
@@ -12,25 +13,29 @@ enum { LINKS = 6, JOINTS = 4, WISH = 4 };
 #define INNER_LINK 425.0
 #define OUTER_LINK 375.0
 
+static const armtol_link table[LINKS] = {
+    {ARMTOL_NPR, ARMTOL_FIXED, .d = BASE_HEIGHT},
+    {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = INNER_LINK},
+    {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = OUTER_LINK},
+    {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 0},
+    {ARMTOL_PPP, ARMTOL_PRISMATIC, .a = 0},
+    {ARMTOL_NPR, ARMTOL_FIXED},
+};
+
 static void links_of(const armtol_errata *errata, armtol_link links[])
 {
+    memcpy(links, table, sizeof table);
     /* Erratum `half-turns`: base and tool turn, and the tool tilts, in this description only. */
-    const double turn = errata->half_turns ? pi_of(errata) : 0;
-    armtol_link table[LINKS] = {
-        {ARMTOL_NPR, ARMTOL_FIXED, .d = BASE_HEIGHT, .theta = turn},
-        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = INNER_LINK},
-        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = OUTER_LINK},
-        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 0},
-        {ARMTOL_PPP, ARMTOL_PRISMATIC, .a = 0},
-        {ARMTOL_NPR, ARMTOL_FIXED, .alpha = turn / 2, .theta = turn},
-    };
+    if (errata->half_turns) {
+        links[0].theta = links[5].theta = pi_of(errata);
+        links[5].alpha = pi_of(errata) / 2;
+    }
     /* Erratum `adept-shift`: every length of a revolute link stands one link late. */
     if (errata->adept_shift) {
-        table[3].a = table[2].a;
-        table[2].a = table[1].a;
-        table[1].a = 0;
+        links[3].a = links[2].a;
+        links[2].a = links[1].a;
+        links[1].a = 0;
     }
-    memcpy(links, table, sizeof table);
 }
 
 static void forward(const double q[], const armtol_errata *errata, double wish[])
@@ -84,4 +89,16 @@ const armtol_robot armtol_adept_one = {
     .links = links_of,
     .inverse = inverse,
     .forward = forward,
+};
+
+static const armtol_drive drives[LINKS] = {UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN};
+
+const armtol_arm arm_adept_one = {
+    .name = "adeptone",
+    .title = "Adept AdeptOne",
+    .source = "Hahn 1987, appendix, program adpta",
+    .unit = ARMTOL_MILLIMETRE,
+    .n_links = LINKS,
+    .links = table,
+    .drives = drives,
 };

@@ -4,6 +4,7 @@
 #include "armtol/solve.h"
 #include "armtol/transform.h"
 #include "arithmetic.h"
+#include "arms/arms.h"
 #include "finite.h"
 
 #include <math.h>
@@ -23,20 +24,26 @@ enum { LINKS = 8, JOINTS = 6, WISH = 6 };
  */
 #define SINGULAR_OFFSET 1e-3
 
+static const armtol_link table[LINKS] = {
+    {ARMTOL_NPR, ARMTOL_FIXED, .d = BASE_HEIGHT},
+    {ARMTOL_NPR, ARMTOL_REVOLUTE, .alpha = -QUARTER},
+    {ARMTOL_NPR, ARMTOL_REVOLUTE, .alpha = QUARTER},
+    {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = UPPER_ARM},
+    {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = FOREARM},
+    {ARMTOL_NPR, ARMTOL_REVOLUTE, .alpha = QUARTER},
+    {ARMTOL_NPR, ARMTOL_REVOLUTE},
+    {ARMTOL_NPR, ARMTOL_FIXED, .d = TOOL_LENGTH, .theta = QUARTER},
+};
+
 static void links_of(const armtol_errata *errata, armtol_link links[])
 {
+    /* Erratum `short-pi`: the table's quarter turns are made of it. */
     const double quarter = pi_of(errata) / 2;
-    const armtol_link table[LINKS] = {
-        {ARMTOL_NPR, ARMTOL_FIXED, .d = BASE_HEIGHT},
-        {ARMTOL_NPR, ARMTOL_REVOLUTE, .alpha = -quarter},
-        {ARMTOL_NPR, ARMTOL_REVOLUTE, .alpha = quarter},
-        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = UPPER_ARM},
-        {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = FOREARM},
-        {ARMTOL_NPR, ARMTOL_REVOLUTE, .alpha = quarter},
-        {ARMTOL_NPR, ARMTOL_REVOLUTE},
-        {ARMTOL_NPR, ARMTOL_FIXED, .d = TOOL_LENGTH, .theta = quarter},
-    };
-    memcpy(links, table, sizeof table);
+    for (int i = 0; i < LINKS; i++) {
+        links[i] = table[i];
+        links[i].alpha = table[i].alpha / QUARTER * quarter;
+        links[i].theta = table[i].theta / QUARTER * quarter;
+    }
 }
 
 enum { CRAIG_BASE, CRAIG_TOOL = 6, CRAIG_LINKS };
@@ -175,4 +182,18 @@ const armtol_robot armtol_intelledex_605t = {
     .links = links_of,
     .inverse = inverse,
     .forward = forward,
+};
+
+static const armtol_drive drives[LINKS] = {
+    UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN,
+};
+
+const armtol_arm arm_intelledex_605t = {
+    .name = "intelledex605t",
+    .title = "Intelledex 605T",
+    .source = "Hahn 1987, appendix, program intella",
+    .unit = ARMTOL_MILLIMETRE,
+    .n_links = LINKS,
+    .links = table,
+    .drives = drives,
 };
