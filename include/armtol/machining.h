@@ -31,6 +31,13 @@ armtol_shares armtol_parameter_shares(const armtol_bounds *bounds, size_t n_leng
 double armtol_machining_distance(const armtol_link *link, double share, const armtol_errata *errata);
 
 /*
+ * The same, corrected, when a and d may be off by tolerances of their own:
+ *     hypot(|a| + a_tolerance, |d| + d_tolerance) - hypot(a, d),
+ * written so that small tolerances do not cancel. Source: Hahn 1987, Eq. (4.32).
+ */
+double armtol_distance_tolerance(double a, double d, double a_tolerance, double d_tolerance);
+
+/*
  * The tolerance of the motor of a placed link: the angle share of a revolute joint, the machining distance
  * (given) of a prismatic one, 0 of a fixed link. Source: Hahn 1987, the main programs.
  */

@@ -44,6 +44,16 @@ double armtol_machining_distance(const armtol_link *link, double share, const ar
     return store(errata, -h + sqrt(fmax(square, 0)));
 }
 
+double armtol_distance_tolerance(double a, double d, double a_tolerance, double d_tolerance)
+{
+    const double before = hypot(a, d), after = hypot(fabs(a) + a_tolerance, fabs(d) + d_tolerance);
+    if (!isfinite(after) || after == 0) {
+        return after;
+    }
+    /* the difference of the squares over the sum of the roots */
+    return (a_tolerance * (2 * fabs(a) + a_tolerance) + d_tolerance * (2 * fabs(d) + d_tolerance)) / (before + after);
+}
+
 double armtol_motor_tolerance(const armtol_link *link, double machining_distance, const armtol_shares *shares)
 {
     switch (link->joint) {

@@ -1,0 +1,60 @@
+#include "arm_source.h"
+
+#include "arm_file.h"
+#include "exit_code.h"
+#include "message.h"
+#include "urdf.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+/* The first character that is neither white space nor of a byte order mark; the stream is then at its start again. */
+static int first_character(FILE *stream)
+{
+    int c;
+    do {
+        c = getc(stream);
+    } while (c != EOF && strchr(" \t\r\n\xef\xbb\xbf", c) != NULL);
+    rewind(stream);
+    return c;
+}
+
+static bool read_file(FILE *stream, const cli_options *options, arm_model *model)
+{
+    if (first_character(stream) == '<') {
+        return urdf_read(stream, options->arm, options->base, options->tip, model);
+    }
+    if (options->base != NULL || options->tip != NULL) {
+        message("--base and --tip are for URDF files, and %s is none", options->arm);
+        return false;
+    }
+    return arm_file_read(stream, options->arm, model);
+}
+
+static int open_and_read(const cli_options *options, arm_model *model)
+{
+    FILE *stream = fopen(options->arm, "rb");
+    if (stream == NULL) {
+        const bool a_word = errno == ENOENT && strpbrk(options->arm, "./") == NULL;
+        message(a_word ? "%s is neither a built-in arm (see --list) nor a file" : "%s: %s", options->arm,
+                strerror(errno));
+        return EXIT_WRONG;
+    }
+    const bool fine = read_file(stream, options, model);
+    fclose(stream);
+    return fine ? EXIT_OK : EXIT_WRONG;
+}
+
+int arm_source_read(const cli_options *options, arm_model *model)
+{
+    const armtol_arm *built_in = armtol_arm_named(options->arm);
+    if (built_in == NULL) {
+        return open_and_read(options, model);
+    }
+    if (options->base != NULL || options->tip != NULL) {
+        message("--base and --tip are for URDF files, and %s is a built-in arm", options->arm);
+        return EXIT_WRONG;
+    }
+    return arm_model_make(model, built_in, UNIT_RADIAN) ? EXIT_OK : EXIT_FAILED;
+}

@@ -1,0 +1,145 @@
+/* armtol: how precisely the parts of an arm have to be made. */
+
+#include "answer.h"
+#include "arm_file.h"
+#include "arm_list.h"
+#include "arm_source.h"
+#include "cli_options.h"
+#include "exit_code.h"
+#include "message.h"
+#include "output.h"
+#include "request.h"
+
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static size_t threads_of(const cli_options *options)
+{
+    const long processors = sysconf(_SC_NPROCESSORS_ONLN);
+    return options->threads != 0 ? options->threads : processors > 0 ? (size_t)processors : 1;
+}
+
+static bool verify(const request *request, const answer *answer, verification *found)
+{
+    const posed_arm *posed = &request->posed;
+    const verification_task task = {
+        .poses = posed->links,
+        .n_poses = posed->n_poses,
+        .n_links = posed->n_links,
+        .matrices = posed->matrices,
+        .tolerances = answer->bounded,
+        .n_columns = posed->n_columns,
+        .tool = posed->tool,
+        .accuracy = request->wished ? request->accuracy : NULL,
+        .samples = request->options->verify,
+        .seed = request->options->seed,
+        .n_threads = threads_of(request->options),
+    };
+    return verification_run(&task, found);
+}
+
+static bool print(const findings *findings)
+{
+    switch (findings->request->options->format) {
+    case OUTPUT_JSON:
+        return output_json(findings);
+    case OUTPUT_CSV:
+        return output_csv(findings);
+    default:
+        return output_text(findings);
+    }
+}
+
+static int tell(const request *request, const answer *answer)
+{
+    budget budget;
+    verification found;
+    findings findings = {request, answer, NULL, NULL};
+    if (request->options->verify != 0) {
+        if (!verify(request, answer, &found)) {
+            return EXIT_FAILED;
+        }
+        findings.verification = &found;
+    }
+    if (!request->options->budget) {
+        return print(&findings) ? EXIT_OK : EXIT_FAILED;
+    }
+    if (!budget_make(&budget, request, answer)) {
+        return EXIT_FAILED;
+    }
+    findings.budget = &budget;
+    const bool fine = print(&findings);
+    budget_free(&budget);
+    return fine ? EXIT_OK : EXIT_FAILED;
+}
+
+static int answer_request(const request *request)
+{
+    answer answer;
+    int code = answer_make(&answer, request);
+    if (code == EXIT_OK) {
+        code = tell(request, &answer);
+        answer_free(&answer);
+    }
+    return code;
+}
+
+static int run(const cli_options *options, const arm_model *model)
+{
+    request request;
+    const int code = request_make(&request, options, model);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    const int ended = answer_request(&request);
+    request_free(&request);
+    return ended;
+}
+
+static int show(const arm_model *model, const cli_options *options)
+{
+    const angle_unit unit = options->angle == UNITS_OF_ARM  ? model->angle_unit
+                            : options->angle == UNITS_SMALL ? UNIT_DEGREE
+                                                            : UNIT_RADIAN;
+    arm_file_write(&model->arm, unit, stdout);
+    return EXIT_OK;
+}
+
+static int with_arm(const cli_options *options)
+{
+    arm_model model;
+    int code = arm_source_read(options, &model);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    code = options->action == CLI_SHOW ? show(&model, options) : run(options, &model);
+    arm_model_free(&model);
+    return code;
+}
+
+static int act(const cli_options *options)
+{
+    switch (options->action) {
+    case CLI_HELP:
+        cli_help();
+        return EXIT_OK;
+    case CLI_VERSION:
+        printf("armtol %s\n", armtol_version());
+        return EXIT_OK;
+    case CLI_LIST:
+        arm_list_print();
+        return EXIT_OK;
+    default:
+        return with_arm(options);
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    cli_options options;
+    message_start("armtol");
+    const int code = cli_options_parse(argc, argv, &options);
+    return exit_code_of_output(code == EXIT_OK ? act(&options) : code);
+}

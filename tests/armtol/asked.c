@@ -1,0 +1,39 @@
+#include "asked.h"
+
+#include "arm_source.h"
+#include "exit_code.h"
+
+#include "unity.h"
+
+cli_options question(const char *arm, const char *joints, const char *accuracy)
+{
+    return (cli_options){.arm = arm, .joints = joints, .accuracy = accuracy, .sigma = 3, .seed = 1987};
+}
+
+void asked_make(asked *asked, const cli_options *options)
+{
+    asked->options = *options;
+    TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, arm_source_read(&asked->options, &asked->model), options->arm);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, request_make(&asked->request, &asked->options, &asked->model),
+                                  options->arm);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, answer_make(&asked->answer, &asked->request), options->arm);
+}
+
+void asked_free(asked *asked)
+{
+    answer_free(&asked->answer);
+    request_free(&asked->request);
+    arm_model_free(&asked->model);
+}
+
+size_t asked_column(const asked *asked, size_t link, armtol_parameter parameter)
+{
+    const posed_arm *posed = &asked->request.posed;
+    for (size_t k = 0; k < posed->n_columns; k++) {
+        if (posed->columns[k].link == link && posed->columns[k].parameter == parameter) {
+            return k;
+        }
+    }
+    TEST_FAIL_MESSAGE("the link has no such parameter");
+    return 0;
+}

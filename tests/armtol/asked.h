@@ -1,0 +1,25 @@
+#ifndef TEST_ASKED_H
+#define TEST_ASKED_H
+
+#include "answer.h"
+#include "request.h"
+
+/* A question to armtol and its answer, without the program around them. */
+typedef struct asked {
+    cli_options options;
+    arm_model model;
+    request request;
+    answer answer;
+} asked;
+
+/* What most tests ask: an accuracy, and nothing else but the defaults. */
+cli_options question(const char *arm, const char *joints, const char *accuracy);
+
+/* Asks it; what does not work fails the test. The options' texts have to stay until asked_free. */
+void asked_make(asked *asked, const cli_options *options);
+void asked_free(asked *asked);
+
+/* The column of a link's parameter; fails the test where there is none. */
+size_t asked_column(const asked *asked, size_t link, armtol_parameter parameter);
+
+#endif

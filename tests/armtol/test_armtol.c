@@ -1,0 +1,279 @@
+/* The program armtol, run as its users run it. */
+
+#include "process.h"
+
+#include "unity.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define POSE "0,45,-90,0,45,0"
+#define WISH ".5,.5,.5,.01,.01,.01"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    process_clean_up();
+}
+
+static void run(process *process, const char *folder, const char *const arguments[])
+{
+    const process_setup setup = {.program = TEST_ARMTOL, .arguments = arguments, .folder = folder};
+    process_run(process, &setup, "");
+}
+
+/* A run that has to be right; what it printed is in *process. */
+static void run_well(process *process, const char *folder, const char *const arguments[])
+{
+    run(process, folder, arguments);
+    process_check_status(process, 0, arguments[0]);
+    text_check("", 0, &process->errors, arguments[0]);
+}
+
+static void check_says(const process *process, const char *words)
+{
+    TEST_ASSERT_TRUE_MESSAGE(strstr(process->output.bytes, words) != NULL, words);
+}
+
+/* ---- what it prints ---- */
+
+static void test_list_names_every_arm_and_each_can_be_shown(void)
+{
+    static const char *const names[] = {"intelledex605t", "adeptone", "puma560", "stanford",
+                                        "scara",          "ur5e",     "panda",   "iiwa14"};
+    process list;
+    run_well(&list, NULL, (const char *const[]){"--list", NULL});
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        process show;
+        check_says(&list, names[i]);
+        run_well(&show, NULL, (const char *const[]){names[i], "--show", NULL});
+        check_says(&show, names[i]);
+    }
+}
+
+static void test_help_goes_to_standard_output_and_version_is_one_line(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"--help", NULL});
+    TEST_ASSERT_TRUE(strncmp(process.output.bytes, "Usage: armtol ARM ", 18) == 0);
+    run_well(&process, NULL, (const char *const[]){"--version", NULL});
+    TEST_ASSERT_EQUAL_STRING("armtol " TEST_VERSION "\n", process.output.bytes);
+}
+
+static void test_an_arm_that_is_shown_can_be_read_and_is_the_same(void)
+{
+    const string folder = folder_new();
+    const string file = string_of("%s/my.arm", folder.text);
+    process shown, again, built_in, from_file;
+    for (int degrees = 0; degrees < 2; degrees++) {
+        const char *unit = degrees ? "--degrees" : "--radians";
+        run_well(&shown, NULL, (const char *const[]){"panda", "--show", unit, NULL});
+        file_write(file.text, shown.output.bytes);
+        run_well(&again, folder.text, (const char *const[]){"my.arm", "--show", NULL});
+        text_check(shown.output.bytes, shown.output.length, &again.output, unit);
+        const char *joints = ".1,.2,.3,-1.4,.5,1.6,.7";
+        run_well(&built_in, NULL,
+                 (const char *const[]){"panda", "--joints", joints, "--accuracy", WISH, "--csv", NULL});
+        run_well(&from_file, folder.text, (const char *const[]){"my.arm", "--joints", joints, "--radians", "--accuracy",
+                                                                WISH, "--csv", NULL});
+        text_check(built_in.output.bytes, built_in.output.length, &from_file.output, unit);
+    }
+}
+
+static void test_the_arm_may_stand_anywhere_among_the_options(void)
+{
+    process first, last;
+    run_well(&first, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, NULL});
+    run_well(&last, NULL, (const char *const[]){"--degrees", "--accuracy", WISH, "puma560", "--joints", POSE, NULL});
+    text_check(first.output.bytes, first.output.length, &last.output, "the arm between options");
+}
+
+/* The number behind the n-th appearance of a member's name. */
+static double member(const process *process, const char *name, int n)
+{
+    const string quoted = string_of("\"%s\": ", name);
+    const char *at = process->output.bytes;
+    for (int i = 0; i <= n; i++) {
+        at = strstr(at, quoted.text);
+        TEST_ASSERT_NOT_NULL_MESSAGE(at, name);
+        at += strlen(quoted.text);
+    }
+    return strtod(at, NULL);
+}
+
+static void test_tolerances_read_back_give_the_accuracy_that_they_were_made_for(void)
+{
+    const string folder = folder_new();
+    const string file = string_of("%s/t.csv", folder.text);
+    process made, back;
+    run_well(&made, NULL,
+             (const char *const[]){"ur5e", "--joints", "10,-80,70,-60,50,40", "--degrees", "--accuracy", WISH, "--csv",
+                                   NULL});
+    file_write(file.text, made.output.bytes);
+    run_well(&back, folder.text,
+             (const char *const[]){"ur5e", "--joints", "10,-80,70,-60,50,40", "--degrees", "--tolerances", "t.csv",
+                                   "--json", NULL});
+    double fullest = 0;
+    for (int i = 0; i < 6; i++) {
+        const double used = member(&back, "worst_case", i) / (i < 3 ? .5 : .01);
+        TEST_ASSERT_TRUE(used <= 1 + 1e-9);
+        fullest = used > fullest ? used : fullest;
+    }
+    TEST_ASSERT_TRUE(fullest > 1 - 1e-9);
+}
+
+static void test_a_free_component_is_free(void)
+{
+    process process;
+    run_well(&process, NULL,
+             (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", "-,inf,.5,-,-,-", NULL});
+    check_says(&process, "free");
+    check_says(&process, "Not seen here, and so without a bound:");
+}
+
+static void test_the_budget_adds_up(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH,
+                                                   "--budget", "--json", NULL});
+    double sums[6] = {0};
+    const char *at = strstr(process.output.bytes, "\"budget\"");
+    TEST_ASSERT_NOT_NULL(at);
+    while ((at = strstr(at, "\"shares\": [")) != NULL) {
+        char *end = strchr(at, '[');
+        for (int i = 0; i < 6; i++) {
+            sums[i] += strtod(end + 1, &end);
+        }
+        at = end;
+    }
+    for (int i = 0; i < 6; i++) {
+        TEST_ASSERT_TRUE(sums[i] > 1 - 1e-9 && sums[i] < 1 + 1e-9);
+    }
+    run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH,
+                                                   "--budget", NULL});
+    check_says(&process, "Where the error comes from");
+    check_says(&process, "all motors");
+}
+
+static void test_a_verification_depends_on_its_seed_and_not_on_the_threads(void)
+{
+    process one, three, other;
+    run_well(&one, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--verify",
+                                               "30000", "--threads", "1", NULL});
+    run_well(&three, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH,
+                                                 "--verify", "30000", "--threads", "3", NULL});
+    run_well(&other, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH,
+                                                 "--verify", "30000", "--seed", "2", NULL});
+    text_check(one.output.bytes, one.output.length, &three.output, "three threads");
+    TEST_ASSERT_TRUE(strcmp(one.output.bytes, other.output.bytes) != 0);
+    check_says(&one, "30000 arms drawn");
+    check_says(&one, "0 are outside by more than the remainder");
+}
+
+static void test_what_cannot_be_written_is_a_failure(void)
+{
+    const process_setup setup = {.program = TEST_ARMTOL,
+                                 .arguments = (const char *const[]){"--list", NULL},
+                                 .output_path = "/dev/full"};
+    process process;
+    process_run(&process, &setup, "");
+    process_check_status(&process, 1, "a full disk");
+    TEST_ASSERT_EQUAL_STRING("armtol: cannot write to standard output\n", process.errors.bytes);
+}
+
+/* ---- wrong calls ---- */
+
+typedef struct wrong_call {
+    const char *arguments[10];
+    const char *message;
+} wrong_call;
+
+static const wrong_call wrong_calls[] = {
+    {{NULL}, "armtol: the arm is missing; expected a name of --list or a file"},
+    {{"puma560", NULL}, "armtol: the pose is missing; expected --joints Q or --poses FILE"},
+    {{"puma560", "--joints", POSE, NULL},
+     "armtol: the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)"},
+    {{"puma561", "--joints", POSE, "--accuracy", WISH, NULL},
+     "armtol: puma561 is neither a built-in arm (see --list) nor a file"},
+    {{"./no.arm", "--joints", POSE, "--accuracy", WISH, NULL}, "armtol: ./no.arm: No such file or directory"},
+    {{"puma560", "stanford", NULL}, "armtol: unexpected argument \"stanford\"; expected options as in --help"},
+    {{"puma560", "--joints", "1,2,3", "--accuracy", WISH, NULL},
+     "armtol: --joints: 3 numbers are given; expected 6: a value for each joint of puma560"},
+    {{"puma560", "--joints", "1,2,3,4,5,x", "--accuracy", WISH, NULL}, "armtol: --joints: \"x\" is not a number"},
+    {{"puma560", "--joints", "0,45,-90,0,450,0", "--degrees", "--accuracy", WISH, NULL},
+     "armtol: pose 1, joint 5: 450 is beyond its limits"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", ".5,.5", NULL},
+     "armtol: --accuracy: 2 numbers are given; expected 6: dx,dy,dz,wx,wy,wz"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", ".5,.5,0,1,1,1", NULL},
+     "armtol: --accuracy: component 3 is not greater than zero"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", "-,-,-,-,-,-", NULL},
+     "armtol: --accuracy: all components are free; expected at least one number"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--method", "best", NULL},
+     "armtol: --method: unknown method \"best\"; expected worst, rss or sphere"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--frame", "world", NULL},
+     "armtol: --frame: unknown frame \"world\"; expected base or tool"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--sigma", "3", NULL},
+     "armtol: --sigma is for --method rss"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--delta", ".1", NULL},
+     "armtol: --delta is for --method sphere"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--seed", "3", NULL},
+     "armtol: --seed and --threads are for --verify N"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--verify", "0", NULL},
+     "armtol: --verify: \"0\" is not a whole number from 1 to "},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--weights", "gamma=2", NULL},
+     "armtol: --weights: unknown name \"gamma\"; expected theta, d, a,"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--weights", "30.alpha=2", NULL},
+     "armtol: --weights: puma560 has no parameter \"30.alpha\""},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--weights", "theta=-2", NULL},
+     "armtol: --weights: \"-2\" is not greater than zero"},
+    {{"puma560", "--joints", POSE, "--degrees", "--radians", "--accuracy", WISH, NULL},
+     "armtol: --degrees and --radians exclude each other"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--json", "--csv", NULL},
+     "armtol: --json and --csv exclude each other"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--base", "world", NULL},
+     "armtol: --base and --tip are for URDF files, and puma560 is a built-in arm"},
+    {{"puma560", "--joints", POSE, "--tool-offset", "1,2", "--accuracy", WISH, NULL},
+     "armtol: --tool-offset: 2 numbers are given; expected 3: x,y,z"},
+    {{"puma560", "--poses", "no.txt", "--accuracy", WISH, NULL}, "armtol: --poses: no.txt: No such file or directory"},
+    {{"puma560", "--joints", POSE, "--degrees", "--tolerances", "no.csv", NULL},
+     "armtol: --tolerances: no.csv: No such file or directory"},
+    {{"puma560", "--frobnicate", NULL}, "armtol: unknown option \"--frobnicate\"; expected options as in --help"},
+    {{"puma560", "--joints", NULL}, "armtol: an argument is missing after \"--joints\"; expected options as in --help"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--method", "sphere", NULL}, NULL},
+};
+
+static void test_wrong_calls_are_named_and_answered_with_2(void)
+{
+    for (size_t i = 0; i < sizeof wrong_calls / sizeof wrong_calls[0]; i++) {
+        const wrong_call *call = &wrong_calls[i];
+        process process;
+        run(&process, NULL, call->arguments);
+        if (call->message == NULL) { /* the right call beside them */
+            process_check_status(&process, 0, "a right call");
+            continue;
+        }
+        process_check_status(&process, 2, call->message);
+        text_check("", 0, &process.output, call->message);
+        TEST_ASSERT_TRUE_MESSAGE(strncmp(process.errors.bytes, call->message, strlen(call->message)) == 0,
+                                 process.errors.bytes);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_list_names_every_arm_and_each_can_be_shown);
+    RUN_TEST(test_help_goes_to_standard_output_and_version_is_one_line);
+    RUN_TEST(test_an_arm_that_is_shown_can_be_read_and_is_the_same);
+    RUN_TEST(test_the_arm_may_stand_anywhere_among_the_options);
+    RUN_TEST(test_tolerances_read_back_give_the_accuracy_that_they_were_made_for);
+    RUN_TEST(test_a_free_component_is_free);
+    RUN_TEST(test_the_budget_adds_up);
+    RUN_TEST(test_a_verification_depends_on_its_seed_and_not_on_the_threads);
+    RUN_TEST(test_what_cannot_be_written_is_a_failure);
+    RUN_TEST(test_wrong_calls_are_named_and_answered_with_2);
+    return UNITY_END();
+}

@@ -1,0 +1,149 @@
+/* What holds for every built-in arm, at poses drawn within its joints' limits. */
+
+#include "asked.h"
+#include "check.h"
+#include "random.h"
+#include "reference.h"
+#include "verification.h"
+
+#include "unity.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { POSES = 5, TEXT = 512 };
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* Joint values as the command line has them: within the limits, or within what most joints can do. */
+static void draw_joints(random_source *random, const armtol_arm *arm, char text[TEXT])
+{
+    text[0] = '\0';
+    for (size_t i = 0; i < arm->n_links; i++) {
+        if (arm->links[i].joint == ARMTOL_FIXED) {
+            continue;
+        }
+        const bool slides = arm->links[i].joint == ARMTOL_PRISMATIC;
+        const armtol_drive *drive = &arm->drives[i];
+        const double low = isfinite(drive->low) ? drive->low : slides ? 100 : -3;
+        const double high = isfinite(drive->high) ? drive->high : slides ? 300 : 3;
+        char number[40];
+        snprintf(number, sizeof number, "%s%.17g", text[0] != '\0' ? "," : "",
+                 random_between(random, low, high));
+        strcat(text, number);
+    }
+}
+
+typedef void check(const asked *asked, const char *what);
+
+static void at_drawn_poses(const char *accuracy, check *check)
+{
+    random_source random = {1987};
+    for (size_t i = 0; i < armtol_arm_count(); i++) {
+        const armtol_arm *arm = armtol_arm_at(i);
+        for (int pose = 0; pose < POSES; pose++) {
+            char joints[TEXT], what[TEXT + 64];
+            asked asked;
+            draw_joints(&random, arm, joints);
+            snprintf(what, sizeof what, "%s at %s", arm->name, joints);
+            const cli_options options = question(arm->name, joints, accuracy);
+            asked_make(&asked, &options);
+            check(&asked, what);
+            asked_free(&asked);
+        }
+    }
+}
+
+static void check_matrix(const asked *asked, const char *what)
+{
+    const posed_arm *posed = &asked->request.posed;
+    for (size_t k = 0; k < posed->n_columns; k++) {
+        double twist[6];
+        reference_column(posed->links, posed->n_links, posed->columns[k], true, twist);
+        for (size_t i = 0; i < 6; i++) {
+            check_within(1e-6, twist[i], posed->matrices[i * posed->n_columns + k], "row %zu, column %zu of %s", i, k,
+                         what);
+        }
+    }
+}
+
+static void test_the_matrix_is_that_of_central_differences(void)
+{
+    at_drawn_poses(".5,.5,.5,.01,.01,.01", check_matrix);
+}
+
+/* The first order keeps to the accuracy, and at least one component uses all of it. */
+static void check_worst_case(const asked *asked, const char *what)
+{
+    const posed_arm *posed = &asked->request.posed;
+    double fullest = 0;
+    for (size_t i = 0; i < 6; i++) {
+        double sum = 0;
+        for (size_t k = 0; k < posed->n_columns; k++) {
+            const double tolerance = asked->answer.tolerances[k];
+            const double element = fabs(posed->matrices[i * posed->n_columns + k]);
+            TEST_ASSERT_TRUE_MESSAGE(tolerance > 0, what);
+            sum += isinf(tolerance) ? 0 : element * tolerance;
+            TEST_ASSERT_TRUE_MESSAGE(!isinf(tolerance) || element < 1e-9, what);
+        }
+        TEST_ASSERT_TRUE_MESSAGE(sum <= asked->request.accuracy[i] * (1 + 1e-12), what);
+        fullest = fmax(fullest, sum / asked->request.accuracy[i]);
+    }
+    check_within(1e-9, 1, fullest, "%s", what);
+}
+
+static void test_worst_case_tolerances_use_the_accuracy_and_no_more(void)
+{
+    at_drawn_poses(".5,.5,.5,.01,.01,.01", check_worst_case);
+}
+
+static void check_verified(const asked *asked, const char *what)
+{
+    const posed_arm *posed = &asked->request.posed;
+    const verification_task task = {
+        .poses = posed->links,
+        .n_poses = 1,
+        .n_links = posed->n_links,
+        .matrices = posed->matrices,
+        .tolerances = asked->answer.bounded,
+        .n_columns = posed->n_columns,
+        .tool = posed->tool,
+        .accuracy = asked->request.accuracy,
+        .samples = 20000,
+        .seed = 7,
+        .n_threads = 2,
+    };
+    verification found;
+    TEST_ASSERT_TRUE_MESSAGE(verification_run(&task, &found), what);
+    TEST_ASSERT_TRUE_MESSAGE(found.drawn == 20000, what);
+    TEST_ASSERT_TRUE_MESSAGE(found.beyond == 0, what);
+    for (size_t i = 0; i < 6; i++) {
+        const verified_component *component = &found.components[i];
+        const double most = component->prediction + component->remainder;
+        TEST_ASSERT_TRUE_MESSAGE(component->worst_drawn <= most, what);
+        TEST_ASSERT_TRUE_MESSAGE(component->worst_corner <= most * (1 + 1e-12), what);
+        TEST_ASSERT_TRUE_MESSAGE(component->worst_corner >= component->prediction - component->remainder - 1e-12, what);
+        TEST_ASSERT_TRUE_MESSAGE(component->worst_drawn > 0.1 * component->prediction, what);
+    }
+}
+
+static void test_no_arm_drawn_within_worst_case_tolerances_is_outside_beyond_the_remainder(void)
+{
+    at_drawn_poses(".5,.5,.5,.01,.01,.01", check_verified);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_the_matrix_is_that_of_central_differences);
+    RUN_TEST(test_worst_case_tolerances_use_the_accuracy_and_no_more);
+    RUN_TEST(test_no_arm_drawn_within_worst_case_tolerances_is_outside_beyond_the_remainder);
+    return UNITY_END();
+}
