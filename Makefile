@@ -1,4 +1,4 @@
-# The short way in; CMake does the work. Needs only make: `.ci/setup` sees to a C compiler and CMake.
+# The short way in; CMake does the work. Needs only make: `.ci/setup` sees to a C compiler, CMake and libraries.
 
 BUILD   ?= build
 PREFIX  ?= /usr/local
@@ -17,7 +17,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 .NOTPARALLEL:
 .PHONY: all run test golden diff era book book-check install clean setup
 
-all: setup
+all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
 	$(call quietly,$(COMPILE),compile)
 
@@ -25,7 +25,7 @@ all: setup
 run: all
 	@$(BUILD)/reproduce $(BUILD) $(PUBLISHED) $(BUILD)/run
 
-test: setup
+test: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
 	$(call quietly,$(CONFIGURE) -DBUILD_TESTING=ON,configure)
 	$(call quietly,$(COMPILE),compile)
 	@ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error
@@ -60,3 +60,7 @@ clean:
 
 setup:
 	@.ci/setup cc cmake
+
+# A library that is not needed is asked for once a build tree: where it is not to be had, that is said once.
+$(BUILD)/wished-%: | setup
+	@mkdir -p $(BUILD) && .ci/setup --wish $* && touch $@

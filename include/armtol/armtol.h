@@ -22,6 +22,7 @@
 #include "armtol/corners.h"
 #include "armtol/sampler.h"
 #include "armtol/allocation.h"
+#include "armtol/sphere.h"
 #include "armtol/axes.h"
 #include "armtol/arm.h"
 

@@ -13,7 +13,10 @@
  * apart by commas, semicolons, tabs or blanks. False after a message with FILE:LINE:COLUMN.
  */
 
-/* Joint values, one pose a line, n_joints values each. *poses is the caller's to free, n_joints values a pose. */
+/*
+ * Joint values, one pose a line, n_joints values each; a file has one pose or more. *poses is the caller's to free,
+ * n_joints values a pose; NULL where the file was wrong.
+ */
 bool poses_read(FILE *stream, const char *path, size_t n_joints, double **poses, size_t *n_poses);
 
 /* What a file says of parameters: one value a column of A; the file has a head that names its columns. */
@@ -27,7 +30,8 @@ typedef struct parameter_table {
 
 /*
  * Rows of link (its number from 0), parameter (theta, d, a, alpha, beta) and the wanted value; other columns are passed
- * over. So `armtol --csv` can be read again. A value "inf" or "-" is infinite where infinite_allowed.
+ * over. So `armtol --csv` can be read again. Values are greater than 0; "inf" or "-" is infinite where
+ * infinite_allowed. After a message values[] is of no use.
  */
 bool parameters_read(FILE *stream, const char *path, const parameter_table *table, bool infinite_allowed,
                      double values[]);

@@ -1,11 +1,12 @@
 /* Arms built to tolerances: closed forms, the bounds, the draws, and the program. */
 
 #include "arm_draws.h"
-#include "built_arm.h"
 #include "check.h"
 #include "column_tolerances.h"
-#include "corners.h"
+#include "drawn_arm.h"
 #include "error_size.h"
+#include "farthest.h"
+#include "guarantee.h"
 #include "process.h"
 #include "published.h"
 #include "random.h"
@@ -41,7 +42,7 @@ typedef struct sample {
     const char *program;
     int number;
     analysis drawn;
-    built_arm arm;
+    drawn_arm arm;
     double tolerances[SET_COUNT][MOST];
 } sample;
 
@@ -52,8 +53,8 @@ static void sample_start(sample *sample, size_t first, length_reading reading)
     sample->number = published.numbers[first].case_number;
     TEST_ASSERT_TRUE(recompute(&published, first, &armtol_errata_none, &sample->drawn));
     TEST_ASSERT_TRUE(sample->drawn.n_columns <= MOST);
-    TEST_ASSERT_TRUE(built_arm_start(&sample->arm, sample->drawn.links, sample->drawn.robot->n_links,
-                                     sample->drawn.columns, sample->drawn.n_columns));
+    sample->arm = (drawn_arm){sample->drawn.links, sample->drawn.robot->n_links, sample->drawn.columns,
+                              sample->drawn.n_columns};
     column_tolerances(&sample->drawn, reading, sample->tolerances[SET_CORRECTED]);
     TEST_ASSERT_TRUE(recompute(&published, first, &armtol_errata_1987, &made));
     column_tolerances(&made, reading, sample->tolerances[SET_PUBLISHED]);
@@ -62,7 +63,6 @@ static void sample_start(sample *sample, size_t first, length_reading reading)
 
 static void sample_free(sample *sample)
 {
-    built_arm_free(&sample->arm);
     analysis_free(&sample->drawn);
 }
 
@@ -81,70 +81,11 @@ static void for_every_case(void (*test)(const sample *))
     TEST_ASSERT_EQUAL_INT(4, cases);
 }
 
-/* ---- one arm ---- */
-
-static void check_exact(const sample *sample)
-{
-    const double errors[MOST] = {0};
-    double error[6];
-    built_arm_error(&sample->arm, errors, error);
-    for (int i = 0; i < 6; i++) {
-        check_same(0, error[i], "%s %d, component %d", sample->program, sample->number, i);
-    }
-}
-
-static void test_an_arm_without_errors_is_exact(void)
-{
-    for_every_case(check_exact);
-}
-
-/* A single parallel revolute link of length 400 that stands at 0.3 rad. */
-static const armtol_link one_link[1] = {{ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 400, .theta = 0.3}};
+/* A single parallel revolute link of length 400. */
+static const armtol_link one_link[1] = {{ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 400}};
 static const armtol_column one_link_columns[4] = {
     {0, ARMTOL_THETA}, {0, ARMTOL_A}, {0, ARMTOL_ALPHA}, {0, ARMTOL_BETA}};
-
-static void one_link_start(built_arm *arm)
-{
-    TEST_ASSERT_TRUE(built_arm_start(arm, one_link, 1, one_link_columns, 4));
-}
-
-static void test_one_link_in_closed_form(void)
-{
-    /* the link turns by 0.1 and is 2 longer; then it tilts by 0.2 about its own x axis */
-    const double errors[4] = {0.1, 2, 0.2, 0};
-    /* Rot(z, 0.4) Rot(x, 0.2) Rot(z, -0.3) as a quaternion (w; v) */
-    const double half_turn = 0.1 / 2, half_tilt = 0.2 / 2, middle = 0.3 + half_turn;
-    const double w = cos(half_tilt) * cos(half_turn);
-    const double v[3] = {sin(half_tilt) * cos(middle), sin(half_tilt) * sin(middle),
-                         cos(half_tilt) * sin(half_turn)};
-    const double length = error_norm(v);
-    built_arm arm;
-    double error[6];
-    one_link_start(&arm);
-    built_arm_error(&arm, errors, error);
-    built_arm_free(&arm);
-    check_within(1e-12, 402 * cos(0.4) - 400 * cos(0.3), error[0], "x");
-    check_within(1e-12, 402 * sin(0.4) - 400 * sin(0.3), error[1], "y");
-    check_within(0, 0, error[2], "z");
-    for (int i = 0; i < 3; i++) {
-        check_within(1e-14, 2 * atan2(length, w) * v[i] / length, error[i + 3], "rotation %d", i);
-    }
-}
-
-static void test_a_large_rotation(void)
-{
-    for (int i = -6; i <= 6; i++) {
-        const double errors[4] = {i * 0.5, 0, 0, 0};
-        built_arm arm;
-        double error[6];
-        one_link_start(&arm);
-        built_arm_error(&arm, errors, error);
-        built_arm_free(&arm);
-        check_within(1e-14, 0, error[3], "about x");
-        check_within(1e-14, 0, error[4], "about y");
-        check_within(1e-14, i * 0.5, error[5], "about z");
-    }
-}
+static const drawn_arm one_link_arm = {one_link, 1, one_link_columns, 4};
 
 /* ---- tolerances ---- */
 
@@ -200,10 +141,10 @@ static void check_first_order(const sample *sample)
     double tiny[MOST], errors[MOST], error[6];
     scale(sample->tolerances[SET_CORRECTED], n, 1e-4, tiny);
     for (size_t i = 0; i < 6; i++) {
-        const double prediction = corner_prediction(sample->drawn.matrix, n, i, tiny);
+        const double prediction = armtol_worst_error(sample->drawn.matrix, n, i, tiny);
         for (int sign = -1; sign <= 1; sign += 2) {
-            corner_of_row(sample->drawn.matrix, n, i, sign, tiny, errors);
-            built_arm_error(&sample->arm, errors, error);
+            armtol_corner(sample->drawn.matrix, n, i, sign, tiny, errors);
+            drawn_arm_error(&sample->arm, errors, error);
             check_within(1e-6, 1, sign * error[i] / prediction, "%s %d, component %zu", sample->program,
                          sample->number, i);
         }
@@ -221,9 +162,9 @@ static void check_parameters_of_a_corner(const sample *sample)
     const double *tolerances = sample->tolerances[SET_PUBLISHED];
     double errors[MOST];
     for (size_t i = 0; i < 6; i++) {
-        const double prediction = corner_prediction(sample->drawn.matrix, n, i, tolerances);
+        const double prediction = armtol_worst_error(sample->drawn.matrix, n, i, tolerances);
         double product = 0;
-        corner_of_row(sample->drawn.matrix, n, i, -1, tolerances, errors);
+        armtol_corner(sample->drawn.matrix, n, i, -1, tolerances, errors);
         for (size_t k = 0; k < n; k++) {
             TEST_ASSERT_TRUE(errors[k] == 0 || fabs(errors[k]) == tolerances[k]);
             product += sample->drawn.matrix[i * n + k] * errors[k];
@@ -243,14 +184,14 @@ static void check_remainder(const sample *sample)
 {
     const size_t n = sample->drawn.n_columns;
     const double *tolerances = sample->tolerances[SET_PUBLISHED];
-    const double remainder = corner_remainder(&sample->arm, tolerances);
+    const double remainder = guarantee_remainder(&sample->arm, tolerances);
     for (size_t i = 0; i < 2000; i++) {
         double errors[MOST], error[6];
         arm_draws_errors(&sample->arm, tolerances, 5, i, errors);
         for (size_t k = 0; k < n; k++) {
             errors[k] = copysign(tolerances[k], errors[k]);
         }
-        built_arm_error(&sample->arm, errors, error);
+        drawn_arm_error(&sample->arm, errors, error);
         for (size_t j = 0; j < 3; j++) {
             for (size_t k = 0; k < n; k++) {
                 error[j] -= sample->drawn.matrix[j * n + k] * errors[k];
@@ -269,10 +210,7 @@ static void test_the_remainder_holds(void)
 static void test_the_remainder_is_tight_for_one_link(void)
 {
     const double tolerances[4] = {0.01};
-    built_arm arm;
-    one_link_start(&arm);
-    const double remainder = corner_remainder(&arm, tolerances);
-    built_arm_free(&arm);
+    const double remainder = guarantee_remainder(&one_link_arm, tolerances);
     const double left_out = 400 * (1 - cos(0.01));
     TEST_ASSERT_TRUE(left_out <= remainder);
     check_within(1e-4 * left_out, left_out, remainder, "remainder");
@@ -282,17 +220,17 @@ static void check_climb(const sample *sample)
 {
     const double *tolerances = sample->tolerances[SET_PUBLISHED];
     double errors[MOST], error[6];
-    corner_of_row(sample->drawn.matrix, sample->drawn.n_columns, 0, 1, tolerances, errors);
-    built_arm_error(&sample->arm, errors, error);
+    armtol_corner(sample->drawn.matrix, sample->drawn.n_columns, 0, 1, tolerances, errors);
+    drawn_arm_error(&sample->arm, errors, error);
     const double start = error_norm(error);
-    const double end = corner_climb(&sample->arm, tolerances, errors);
+    const double end = farthest_from_corner(&sample->arm, tolerances, errors);
     TEST_ASSERT_TRUE(end >= start);
-    built_arm_error(&sample->arm, errors, error);
+    drawn_arm_error(&sample->arm, errors, error);
     check_same(end, error_norm(error), "the distance where the climb ends");
     for (size_t k = 0; k < sample->drawn.n_columns; k++) {
         TEST_ASSERT_TRUE(errors[k] == 0 || fabs(errors[k]) == tolerances[k]);
         errors[k] = -errors[k];
-        built_arm_error(&sample->arm, errors, error);
+        drawn_arm_error(&sample->arm, errors, error);
         TEST_ASSERT_TRUE(error_norm(error) <= end * (1 + 1e-9));
         errors[k] = -errors[k];
     }
@@ -307,10 +245,10 @@ static void check_guarantee(const sample *sample)
 {
     const double *accuracy = sample->drawn.tolerances, *matrix = sample->drawn.matrix;
     double loose[MOST];
-    TEST_ASSERT_TRUE(corner_all_within(&sample->arm, matrix, sample->tolerances[SET_CORRECTED], accuracy));
-    TEST_ASSERT_FALSE(corner_all_within(&sample->arm, matrix, sample->tolerances[SET_PUBLISHED], accuracy));
+    TEST_ASSERT_TRUE(guarantee_holds(&sample->arm, matrix, sample->tolerances[SET_CORRECTED], accuracy));
+    TEST_ASSERT_FALSE(guarantee_holds(&sample->arm, matrix, sample->tolerances[SET_PUBLISHED], accuracy));
     scale(sample->tolerances[SET_CORRECTED], sample->drawn.n_columns, 2, loose);
-    TEST_ASSERT_FALSE(corner_all_within(&sample->arm, matrix, loose, accuracy));
+    TEST_ASSERT_FALSE(guarantee_holds(&sample->arm, matrix, loose, accuracy));
 }
 
 static void test_the_corrected_tolerances_are_a_guarantee(void)
@@ -350,14 +288,10 @@ static void test_draws_are_uniform(void)
 /* Of a link of length a that may only turn, asin(e / a) / t of the arms keep y to e. */
 static void test_a_share_in_closed_form(void)
 {
-    static const armtol_link link[1] = {{ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 400}};
     const double tolerances[4] = {0.005}, accuracy[6] = {1, 0.5, 1, 1, 1, 1};
     const double share = asin(0.5 / 400) / 0.005;
-    built_arm arm;
     arm_draws draws;
-    TEST_ASSERT_TRUE(built_arm_start(&arm, link, 1, one_link_columns, 4));
-    TEST_ASSERT_TRUE(arm_draws_make(&arm, tolerances, accuracy, 3, 20000, &draws));
-    built_arm_free(&arm);
+    TEST_ASSERT_TRUE(arm_draws_make(&one_link_arm, tolerances, accuracy, 3, 20000, &draws));
     check_within(5 * sqrt(share * (1 - share) / 20000), share, (double)draws.within / 20000, "share");
     check_within(0.01, 400 * sin(0.5 * 0.005), draws.linear.quantiles[1], "median");
     check_within(0.001, 400 * sin(0.005), draws.linear.worst, "worst");
@@ -502,9 +436,6 @@ static void test_formats(void)
 int main(void)
 {
     UNITY_BEGIN();
-    RUN_TEST(test_an_arm_without_errors_is_exact);
-    RUN_TEST(test_one_link_in_closed_form);
-    RUN_TEST(test_a_large_rotation);
     RUN_TEST(test_the_adepts_published_tolerances);
     RUN_TEST(test_tiny_tolerances_are_linear);
     RUN_TEST(test_a_corner_is_where_its_row_is_largest);

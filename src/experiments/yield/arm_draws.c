@@ -12,7 +12,7 @@ typedef struct sizes {
     double *linear, *angular, *distance;
 } sizes;
 
-void arm_draws_errors(const built_arm *arm, const double tolerances[], uint64_t seed, size_t i,
+void arm_draws_errors(const drawn_arm *arm, const double tolerances[], uint64_t seed, size_t i,
                       double errors[])
 {
     for (size_t k = 0; k < arm->n_columns; k++) {
@@ -21,14 +21,14 @@ void arm_draws_errors(const built_arm *arm, const double tolerances[], uint64_t 
 }
 
 /* Returns how many are within. */
-static size_t draw_all(const built_arm *arm, const double tolerances[], const double accuracy[6],
+static size_t draw_all(const drawn_arm *arm, const double tolerances[], const double accuracy[6],
                        uint64_t seed, size_t samples, double errors[], sizes *sizes)
 {
     size_t within = 0;
     for (size_t i = 0; i < samples; i++) {
         double error[6];
         arm_draws_errors(arm, tolerances, seed, i, errors);
-        built_arm_error(arm, errors, error);
+        drawn_arm_error(arm, errors, error);
         within += error_is_within(error, accuracy);
         sizes->linear[i] = error_largest(error);
         sizes->angular[i] = error_largest(error + 3);
@@ -55,7 +55,7 @@ static error_spread spread_of(double values[], size_t n)
     return spread;
 }
 
-bool arm_draws_make(const built_arm *arm, const double tolerances[], const double accuracy[6], uint64_t seed,
+bool arm_draws_make(const drawn_arm *arm, const double tolerances[], const double accuracy[6], uint64_t seed,
                     size_t samples, arm_draws *draws)
 {
     double *errors = calloc(arm->n_columns, sizeof *errors);

@@ -1,7 +1,7 @@
 #ifndef EXPERIMENTS_ARM_DRAWS_H
 #define EXPERIMENTS_ARM_DRAWS_H
 
-#include "built_arm.h"
+#include "drawn_arm.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -30,11 +30,11 @@ typedef struct arm_draws {
  * many are drawn, and takes the same part of each tolerance whatever the tolerances. False where memory is
  * short.
  */
-bool arm_draws_make(const built_arm *arm, const double tolerances[], const double accuracy[6], uint64_t seed,
+bool arm_draws_make(const drawn_arm *arm, const double tolerances[], const double accuracy[6], uint64_t seed,
                     size_t samples, arm_draws *draws);
 
 /* The errors of arm i, one a column. */
-void arm_draws_errors(const built_arm *arm, const double tolerances[], uint64_t seed, size_t i,
+void arm_draws_errors(const drawn_arm *arm, const double tolerances[], uint64_t seed, size_t i,
                       double errors[]);
 
 #endif

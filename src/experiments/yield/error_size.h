@@ -3,7 +3,7 @@
 
 #include <stdbool.h>
 
-/* How large an error of the tool is: a displacement and a rotation vector, as built_arm.h has it. */
+/* How large an error of the tool is: a displacement and a rotation vector, as drawn_arm.h has it. */
 
 /* Whether each of the six components keeps to its accuracy; nan does not. */
 bool error_is_within(const double error[6], const double accuracy[6]);

@@ -1,10 +1,11 @@
 #include "yield_case.h"
 
-#include "built_arm.h"
 #include "column_tolerances.h"
-#include "corners.h"
+#include "drawn_arm.h"
 #include "error_size.h"
 #include "exit_code.h"
+#include "farthest.h"
+#include "guarantee.h"
 #include "message.h"
 #include "recompute.h"
 
@@ -14,7 +15,7 @@
 
 /* What the steps below share: an arm, A of it, the tolerances of a set, and a place for errors. */
 typedef struct box {
-    const built_arm *arm;
+    const drawn_arm *arm;
     const double *matrix;
     double *tolerances;
     double *errors;
@@ -24,12 +25,12 @@ typedef struct box {
 static double visit_corner(const box *box, size_t row, int sign, set_result *result)
 {
     double error[6];
-    corner_of_row(box->matrix, box->arm->n_columns, row, sign, box->tolerances, box->errors);
-    built_arm_error(box->arm, box->errors, error);
+    armtol_corner(box->matrix, box->arm->n_columns, row, sign, box->tolerances, box->errors);
+    drawn_arm_error(box->arm, box->errors, error);
     if (row < 3 && error_largest(error) > result->worst.largest) {
         result->worst = (corner){row, sign, error_largest(error), error_norm(error)};
     }
-    result->farthest = fmax(result->farthest, corner_climb(box->arm, box->tolerances, box->errors));
+    result->farthest = fmax(result->farthest, farthest_from_corner(box->arm, box->tolerances, box->errors));
     return error[row];
 }
 
@@ -39,18 +40,18 @@ static void visit_corners(const box *box, const double accuracy[6], set_result *
     result->farthest = 0;
     for (size_t i = 0; i < 6; i++) {
         result->rows[i] = (row_corners){
-            .prediction = corner_prediction(box->matrix, box->arm->n_columns, i, box->tolerances),
+            .prediction = armtol_worst_error(box->matrix, box->arm->n_columns, i, box->tolerances),
             .high = visit_corner(box, i, 1, result),
             .low = visit_corner(box, i, -1, result),
         };
     }
-    result->remainder = corner_remainder(box->arm, box->tolerances);
-    result->all_within = corner_all_within(box->arm, box->matrix, box->tolerances, accuracy);
+    result->remainder = guarantee_remainder(box->arm, box->tolerances);
+    result->all_within = guarantee_holds(box->arm, box->matrix, box->tolerances, accuracy);
 }
 
 /* Build arms to the tolerances of `made`, as drawn in `drawn`. */
 static bool run_set(const analysis *drawn, const analysis *made, const yield_options *options,
-                    const built_arm *arm, set_result *result)
+                    const drawn_arm *arm, set_result *result)
 {
     double *block = calloc(arm->n_columns, 2 * sizeof *block);
     bool fine = block != NULL;
@@ -70,13 +71,10 @@ static bool run_set(const analysis *drawn, const analysis *made, const yield_opt
 static int run_sets(const analysis *published, const analysis *corrected, const yield_options *options,
                     yield_case *result)
 {
-    built_arm arm;
-    const bool started = built_arm_start(&arm, corrected->links, corrected->robot->n_links,
-                                         corrected->columns, corrected->n_columns);
-    const bool fine = started &&
-                      run_set(corrected, published, options, &arm, &result->sets[SET_PUBLISHED]) &&
+    const drawn_arm arm = {corrected->links, corrected->robot->n_links, corrected->columns,
+                           corrected->n_columns};
+    const bool fine = run_set(corrected, published, options, &arm, &result->sets[SET_PUBLISHED]) &&
                       run_set(corrected, corrected, options, &arm, &result->sets[SET_CORRECTED]);
-    built_arm_free(&arm);
     if (!fine) {
         message("out of memory");
     }

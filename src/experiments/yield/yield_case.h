@@ -33,7 +33,7 @@ typedef struct set_result {
     corner worst;     /* the one with the largest linear component */
     double farthest;  /* that the tool point gets from its place, climbing on from all twelve corners */
     double remainder; /* what the linear components can differ from the predictions by, at most */
-    bool all_within;  /* no arm of the set can miss the accuracy (corner_all_within) */
+    bool all_within;  /* no arm of the set can miss the accuracy (guarantee_holds) */
 } set_result;
 
 typedef struct yield_case {

@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-share_interval share_interval_95(size_t hits, size_t samples)
+share_interval share_interval_95(uint64_t hits, uint64_t samples)
 {
     const double z = 1.959963984540054; /* the normal distribution's 97.5 % point */
     const double n = (double)samples, share = (double)hits / n;

@@ -1,0 +1,67 @@
+#ifndef ARMTOL_POSES_H
+#define ARMTOL_POSES_H
+
+#include "armtol/bounds.h"
+#include "armtol/link.h"
+#include "armtol/tool_point.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/*
+ * A with its bounds in many poses of one arm, fast: what no joint moves is prepared once, and poses are done side by
+ * side in blocks. One pose alone and a pose in a block give the same bits, on any machine.
+ */
+
+/* The poses of a block, and the number of blocks that hold n_poses. */
+enum { ARMTOL_POSE_BLOCK = 8 };
+#define ARMTOL_POSE_BLOCKS(n_poses) (((n_poses) + (ARMTOL_POSE_BLOCK - 1)) / ARMTOL_POSE_BLOCK)
+
+/* The place of element (i, j) of A in pose p, in the blocks of A of n_columns columns. */
+#define ARMTOL_POSE_ELEMENT(n_columns, i, j, p)                                                                       \
+    ((((p) / ARMTOL_POSE_BLOCK * 6 + (i)) * (n_columns) + (j)) * ARMTOL_POSE_BLOCK + (p) % ARMTOL_POSE_BLOCK)
+
+/* One link as it is needed here. Filled by armtol_poses_start. */
+typedef struct armtol_pose_link {
+    armtol_joint joint;
+    bool turned, shifted, tilted, bent; /* by its joint, or theta; a and d; alpha; beta is not 0 */
+    double a, d, theta;
+    double cos_theta, sin_theta; /* of what no joint turns */
+    double cos_alpha, sin_alpha;
+    double cos_beta, sin_beta;
+    size_t columns[ARMTOL_PARAMETER_COUNT]; /* SIZE_MAX for what the kind does not count */
+} armtol_pose_link;
+
+typedef struct armtol_poses {
+    const armtol_pose_link *links;
+    size_t n_links, n_joints, n_columns;
+    armtol_tool_point tool;
+    double length_scale, length_weights[3]; /* bound = scale / root of the largest weighted sum of squares */
+    double angle_scale, angle_weights[6];
+} armtol_poses;
+
+/*
+ * Prepare for poses of an arm: links are its table at joint values 0, prepared has n_links places and has to stay as
+ * long as poses is used; tolerances and delta as of armtol_norm_bounds, along the axes of tool->frame.
+ * Errors: those of armtol_links_check and armtol_tolerances_check; ARMTOL_NOT_FINITE for an offset that is not;
+ * ARMTOL_BAD_TOLERANCE where one tolerance (less delta) is more than 1e100 times another.
+ */
+armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[], const armtol_link links[],
+                                 size_t n_links, const armtol_tool_point *tool, const double tolerances[6],
+                                 double delta);
+
+/*
+ * One pose: q has n_joints values; matrix is that of armtol_tool_matrix, and the bounds are those of
+ * armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the bounds it counts for nan.
+ */
+void armtol_pose(const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds);
+
+/*
+ * Many: joint k of pose p is q[p * n_joints + k]; blocks has ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK *
+ * 6 * n_columns places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT; bounds one a pose. The places of the
+ * last block that no pose is left for repeat the last pose. It is fastest where blocks is aligned to 64 bytes.
+ */
+void armtol_pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
+                        armtol_bounds bounds[]);
+
+#endif

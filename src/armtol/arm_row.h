@@ -1,0 +1,13 @@
+#ifndef ARMTOL_ARM_ROW_H
+#define ARMTOL_ARM_ROW_H
+
+#include "arm_model.h"
+#include "arm_table.h"
+
+#include <stdbool.h>
+
+/* A row of an arm's table below its head row. False after a message. */
+bool arm_row_read(const cell_row *row, const arm_columns *columns, angle_unit angle_unit, armtol_link *link,
+                  armtol_drive *drive);
+
+#endif

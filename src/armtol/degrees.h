@@ -1,0 +1,22 @@
+#ifndef ARMTOL_DEGREES_H
+#define ARMTOL_DEGREES_H
+
+#include "number.h"
+
+/*
+ * Degrees as people write them, radians as doubles. The text is turned into radians with one rounding at the end, not
+ * with a rounding to degrees in between: so 90 is the double nearest to pi/2, and every double has a decimal number of
+ * degrees, of 17 digits at most, that is read as this very double. (Of two neighbouring doubles in radians there need
+ * not be a double in degrees for each.)
+ */
+
+/* text is a decimal number in the sense of number_parse. */
+double degrees_parse(const char *text);
+
+/*
+ * The shortest text that degrees_parse takes for this double, of six digits or more; radians is finite. Below 1e-280
+ * radians it may be one that is taken for a neighbour. Returns shortest->text.
+ */
+const char *degrees_shortest(double radians, number_text *shortest);
+
+#endif

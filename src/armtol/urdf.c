@@ -1,0 +1,32 @@
+#include "urdf.h"
+
+#include "urdf_arm.h"
+#include "urdf_chain.h"
+#include "urdf_parse.h"
+#include "urdf_tree.h"
+
+static bool make_arm(const urdf_tree *tree, const char *base, const char *tip, arm_model *model)
+{
+    urdf_chain chain;
+    if (!urdf_chain_find(tree, base, tip, &chain)) {
+        return false;
+    }
+    const bool fine = urdf_arm_make(tree, &chain, model);
+    urdf_chain_free(&chain);
+    return fine;
+}
+
+bool urdf_read(FILE *stream, const char *path, const char *base, const char *tip, arm_model *model)
+{
+    urdf_tree tree;
+    urdf_tree_start(&tree, path);
+    const bool fine =
+        urdf_parse(stream, &tree) && urdf_tree_connect(&tree) && make_arm(&tree, base, tip, model);
+    urdf_tree_free(&tree);
+    return fine;
+}
+
+bool urdf_is_built_in(void)
+{
+    return true;
+}

@@ -1,0 +1,20 @@
+#include "urdf.h"
+
+#include "message.h"
+
+bool urdf_read(FILE *stream, const char *path, const char *base, const char *tip, arm_model *model)
+{
+    (void)stream;
+    (void)base;
+    (void)tip;
+    (void)model;
+    message("%s is a URDF, and this armtol was built without expat, which reads them; install expat with its "
+            "headers (package libexpat1-dev, expat-devel or expat) and build armtol again",
+            path);
+    return false;
+}
+
+bool urdf_is_built_in(void)
+{
+    return false;
+}

@@ -1,0 +1,174 @@
+#include "armtol/poses.h"
+
+#include "armtol/error_matrix.h"
+#include "finite.h"
+#include "lanes.h"
+#include "matrix_view.h"
+#include "pose_link.h"
+
+static const armtol_transform base = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+
+#define LANES 1
+#include "poses_kernel.h"
+#undef LANES
+#if LANES_ARE_VECTORS
+#define LANES 2
+#include "poses_kernel.h"
+#undef LANES
+#endif
+#if LANES_HAVE_MACHINES
+#define LANES 4
+#include "poses_kernel.h"
+#undef LANES
+#define LANES 8
+#include "poses_kernel.h"
+#undef LANES
+#endif
+
+/* ---- one pose ---- */
+
+/* Of a link whose joint does not turn it, any angle will do. */
+static inline void angles_of(const armtol_pose_link links[], size_t n_links, const double q[], double angles[BLOCK])
+{
+    size_t joint = 0;
+    for (size_t i = 0; i < BLOCK; i++) {
+        const bool there = i < n_links;
+        angles[i] = there && links[i].joint == ARMTOL_REVOLUTE ? q[joint] + links[i].theta : 0;
+        joint += there && links[i].joint != ARMTOL_FIXED;
+    }
+}
+
+/* Of as many links as a block has lanes: the sines and cosines are done side by side, all else one by one. */
+LANE_INLINE const double *walk_some(const armtol_pose_link links[], size_t n_links, const double q[], int lanes,
+                                    const matrix_view *matrix, frame_1 *frame)
+{
+    double angles[BLOCK], sines[BLOCK], cosines[BLOCK];
+    angles_of(links, n_links, q, angles);
+    LANES_CALL(sines_cosines, lanes, (angles, sines, cosines));
+    for (size_t i = 0; i < n_links && i < BLOCK; i++) {
+        const armtol_pose_link *const link = &links[i];
+        const bool turns = link->joint == ARMTOL_REVOLUTE, slides = link->joint == ARMTOL_PRISMATIC;
+        const setting_1 setting = {
+            .cosine = turns ? cosines[i] : link->cos_theta,
+            .sine = turns ? sines[i] : link->sin_theta,
+            .d = slides ? link->d + *q : link->d,
+        };
+        walk_link_1(link, &setting, matrix, frame);
+        q += turns || slides;
+    }
+    return q;
+}
+
+LANE_INLINE void one_pose(const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds,
+                          int lanes)
+{
+    const matrix_view view = {matrix, poses->n_columns, 1};
+    frame_1 frame;
+    put_frame_1(&base, &frame);
+    for (size_t i = 0; i < poses->n_links; i += BLOCK) {
+        q = walk_some(poses->links + i, poses->n_links - i, q, lanes, &view, &frame);
+    }
+    finish_1(poses, &frame, &view, bounds);
+}
+
+/* ---- many ---- */
+
+static inline size_t least(size_t one, size_t other)
+{
+    return one < other ? one : other;
+}
+
+LANE_INLINE void all_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
+                            armtol_bounds bounds[], int lanes)
+{
+    for (size_t first = 0; first < n_poses; first += BLOCK) {
+        const double *poses_q[BLOCK];
+        armtol_bounds some[BLOCK];
+        for (size_t l = 0; l < BLOCK; l++) {
+            poses_q[l] = q + least(first + l, n_poses - 1) * poses->n_joints;
+        }
+        LANES_CALL(block, lanes, (poses, poses_q, blocks + first * 6 * poses->n_columns, some));
+        memcpy(bounds + first, some, least(BLOCK, n_poses - first) * sizeof some[0]);
+    }
+}
+
+LANES_MACHINES(one_pose, (const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds),
+               poses, q, matrix, bounds)
+
+LANES_MACHINES(all_blocks,
+               (const armtol_poses *poses, const double q[], size_t n_poses, double blocks[], armtol_bounds bounds[]),
+               poses, q, n_poses, blocks, bounds)
+
+void armtol_pose(const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds)
+{
+    one_pose_on_machine(poses, q, matrix, bounds);
+}
+
+void armtol_pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
+                        armtol_bounds bounds[])
+{
+    all_blocks_on_machine(poses, q, n_poses, blocks, bounds);
+}
+
+/* ---- what is prepared ---- */
+
+/* weights[i] = (scale / tolerances[i])^2; false where one does not fit a double. */
+static bool weigh(const double tolerances[], size_t n, double *scale, double weights[])
+{
+    *scale = 0;
+    for (size_t i = 0; i < n; i++) {
+        *scale = fmax(*scale, tolerances[i]);
+    }
+    bool fits = true;
+    for (size_t i = 0; i < n; i++) {
+        const double part = *scale / tolerances[i];
+        weights[i] = part * part;
+        fits = fits && part <= 1e100;
+    }
+    return fits;
+}
+
+static bool weigh_all(armtol_poses *poses, const double tolerances[6], double delta)
+{
+    const double of_lengths[3] = {delta, delta, delta};
+    double of_angles[6];
+    for (int i = 0; i < 6; i++) {
+        of_angles[i] = i < 3 ? tolerances[i] - delta : tolerances[i];
+    }
+    return weigh(of_lengths, 3, &poses->length_scale, poses->length_weights) &&
+           weigh(of_angles, 6, &poses->angle_scale, poses->angle_weights);
+}
+
+static armtol_status check(const armtol_link links[], size_t n_links, const armtol_tool_point *tool,
+                           const double tolerances[6], double delta)
+{
+    const armtol_status status = armtol_links_check(links, n_links);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    return all_finite(tool->offset, 3) ? armtol_tolerances_check(tolerances, delta) : ARMTOL_NOT_FINITE;
+}
+
+armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[], const armtol_link links[],
+                                 size_t n_links, const armtol_tool_point *tool, const double tolerances[6],
+                                 double delta)
+{
+    const armtol_status status = check(links, n_links, tool, tolerances, delta);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    armtol_poses started = {
+        .links = prepared,
+        .n_links = n_links,
+        .n_joints = armtol_joint_count(links, n_links),
+        .tool = *tool,
+    };
+    if (!weigh_all(&started, tolerances, delta)) {
+        return ARMTOL_BAD_TOLERANCE;
+    }
+    for (size_t i = 0; i < n_links; i++) {
+        prepared[i] = pose_link_of(&links[i], &started.n_columns);
+    }
+    *poses = started;
+    return ARMTOL_OK;
+}

@@ -1,0 +1,88 @@
+/*
+ * A kernel (lanes.h): sine and cosine, within 0.9 units in the last place up to 1e5 and 1.1 up to 1e6; beyond, libm's.
+ *
+ * The angle is brought to |y| <= pi/4 by multiples of pi/2, which is kept in three parts of 33, 33 and 53 bits, so
+ * that its products with up to 20 bits are exact (Cody and Waite's way); the tail is what y's rounding left.
+ * The polynomials are our own: with z = y^2, (sin y / y - 1) / z and (cos y - 1 + z/2) / z^2 interpolated at the six
+ * Chebyshev points of 0 <= z <= (1.001 pi/4)^2. They leave out less than 0.2 and 0.01 half units in the last place.
+ */
+
+LANE_INLINE void LANED(near_sine_cosine)(const REAL *angle, REAL *sine, REAL *cosine)
+{
+    const double to_integer = 0x1.8p52; /* adding it rounds to an integer, which ends up in the lowest bits */
+    const REAL shifted = *angle * 0x1.45f306dc9c883p-1 + to_integer;
+    const REAL n = shifted - to_integer;
+    const REAL r = *angle - n * 0x1.921fb544p+0, second = n * 0x1.0b4611a6p-34;
+    const REAL t = r - second;
+    const REAL rest = n * 0x1.3198a2e037073p-69 - ((r - t) - second);
+    const REAL y = t - rest, tail = (t - y) - rest;
+    const REAL z = y * y, half = 0.5 * z, most = 1 - half;
+
+    const REAL sine_terms = -0x1.5555555555555p-3 + z * (0x1.1111111110ba5p-7 + z * (-0x1.a01a019e80693p-13 +
+        z * (0x1.71de379252004p-19 + z * (-0x1.ae60069e53ef1p-26 + z * 0x1.5e098556d302ep-33))));
+    const REAL cosine_terms = 0x1.5555555555555p-5 + z * (-0x1.6c16c16c16960p-10 + z * (0x1.a01a019f4d0edp-16 +
+        z * (-0x1.27e4fa15bd814p-22 + z * (0x1.1eeb66b683028p-29 + z * -0x1.907c0e63adbb6p-37))));
+    const REAL s = y + (tail * most + y * z * sine_terms);
+    const REAL c = most + ((((1 - most) - half) - y * tail) + z * z * cosine_terms);
+
+    /* n quarter turns: odd ones swap the two, and two of the four change a sign */
+    BITS quarters, sine_bits, cosine_bits;
+    memcpy(&quarters, &shifted, sizeof quarters);
+    memcpy(&sine_bits, &s, sizeof s);
+    memcpy(&cosine_bits, &c, sizeof c);
+    const BITS swapped = (sine_bits ^ cosine_bits) & (0 - (quarters & 1));
+    sine_bits = sine_bits ^ swapped ^ (quarters & 2) << 62;
+    cosine_bits = cosine_bits ^ swapped ^ ((quarters + 1) & 2) << 62;
+    memcpy(sine, &sine_bits, sizeof s);
+    memcpy(cosine, &cosine_bits, sizeof c);
+}
+
+/* Whether any angle is beyond what near_sine_cosine is for. */
+LANE_INLINE bool LANED(any_far)(const REAL *angle)
+{
+    const REAL zero = {0}, most = zero + 1e12, square = *angle * *angle;
+    BITS mask;
+    uint64_t lanes[LANES], any = 0;
+    LANED(less)(&most, &square, &mask);
+    memcpy(lanes, &mask, sizeof lanes);
+    for (int l = 0; l < LANES; l++) {
+        any |= lanes[l];
+    }
+    return any != 0;
+}
+
+/* What is far by libm, the others stay. */
+LANE_INLINE void LANED(far_sine_cosine)(const REAL *angle, REAL *sine, REAL *cosine)
+{
+    double angles[LANES], sines[LANES], cosines[LANES];
+    LANED(write)(angle, angles);
+    LANED(write)(sine, sines);
+    LANED(write)(cosine, cosines);
+    for (int l = 0; l < LANES; l++) {
+        if (fabs(angles[l]) > 1e6) {
+            sines[l] = sin(angles[l]);
+            cosines[l] = cos(angles[l]);
+        }
+    }
+    LANED(read)(sines, sine);
+    LANED(read)(cosines, cosine);
+}
+
+LANE_INLINE void LANED(sine_cosine)(const REAL *angle, REAL *sine, REAL *cosine)
+{
+    LANED(near_sine_cosine)(angle, sine, cosine);
+    if (RARELY(LANED(any_far)(angle))) {
+        LANED(far_sine_cosine)(angle, sine, cosine);
+    }
+}
+
+LANE_INLINE void LANED(sines_cosines)(const double angles[BLOCK], double sines[BLOCK], double cosines[BLOCK])
+{
+    for (int first = 0; first < BLOCK; first += LANES) {
+        REAL angle, sine, cosine;
+        LANED(read)(angles + first, &angle);
+        LANED(sine_cosine)(&angle, &sine, &cosine);
+        LANED(write)(&sine, sines + first);
+        LANED(write)(&cosine, cosines + first);
+    }
+}

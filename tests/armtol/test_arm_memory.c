@@ -1,0 +1,138 @@
+/* Memory that runs out, at every place where it can: a message, and nothing is kept. Built with the linker's --wrap. */
+
+#include "arm_file.h"
+#include "lists.h"
+#include "message.h"
+
+#include "said.h"
+
+#include "unity.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* The allocations that are left until one fails. */
+static long left;
+
+static bool fails(void)
+{
+    return left-- <= 0;
+}
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *old, size_t size);
+char *__real_strdup(const char *text);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+char *__wrap_strdup(const char *text);
+
+void *__wrap_malloc(size_t size)
+{
+    return fails() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    return fails() ? NULL : __real_calloc(count, size);
+}
+
+void *__wrap_realloc(void *old, size_t size)
+{
+    return fails() ? NULL : __real_realloc(old, size);
+}
+
+char *__wrap_strdup(const char *text)
+{
+    return fails() ? NULL : __real_strdup(text);
+}
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* Reads, and frees what it has read. */
+typedef bool reader(FILE *stream);
+
+/* With no allocation that succeeds, with one, with two ... until there are enough. */
+static void check_out_of_memory(reader *read, const char *text, long least)
+{
+    bool fine = false;
+    long n = 0;
+    for (; !fine; n++) {
+        FILE *stream = stream_of(text, strlen(text));
+        said said;
+        said_begin();
+        left = n;
+        fine = read(stream);
+        said_end(&said);
+        fclose(stream);
+        TEST_ASSERT_EQUAL_STRING(fine ? "" : "armtol: out of memory\n", said.text);
+    }
+    TEST_ASSERT_TRUE(n > least);
+}
+
+static bool read_arm(FILE *stream)
+{
+    arm_model model;
+    const bool fine = arm_file_read(stream, "arm.csv", &model);
+    arm_model_free(&model);
+    return fine;
+}
+
+static void test_arm(void)
+{
+    static const char rest[] = "units: mm rad\n"
+                               "joint,a,alpha,d,theta,beta,low,high,backlash,compliance,moment,kind,,,,,,\n"
+                               "d,0,0,0,0\nd,0,0,0,0\nd,0,0,0,0\nd,0,0,0,0\nd,0,0,0,0\n"
+                               "d,0,0,0,0\nd,0,0,0,0\nd,0,0,0,0\nd,0,0,0,0\nd,0,0,0,0\n";
+    static char text[4000] = "name: n\ntitle: t\nsource: s\n# ";
+    memset(text + strlen(text), '#', 1000); /* the line's memory has to grow */
+    strcat(text, "\n");
+    strcat(text, rest);
+    check_out_of_memory(read_arm, text, 15);
+    check_out_of_memory(read_arm, rest, 10);
+}
+
+static bool read_poses(FILE *stream)
+{
+    double *poses;
+    size_t n_poses;
+    const bool fine = poses_read(stream, "poses.csv", 1, &poses, &n_poses);
+    free(poses);
+    return fine;
+}
+
+static void test_poses(void)
+{
+    check_out_of_memory(read_poses, "1\n2\n3\n4\n5\n6\n7\n8\n9\n10\n11\n12\n13\n14\n15\n16\n17\n", 4);
+}
+
+static bool read_parameters(FILE *stream)
+{
+    static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}};
+    static const armtol_column columns[] = {{0, ARMTOL_THETA}, {0, ARMTOL_D}};
+    const parameter_table table = {links, columns, 2, "weight", true};
+    double values[2];
+    return parameters_read(stream, "weights.csv", &table, false, values);
+}
+
+static void test_parameters(void)
+{
+    check_out_of_memory(read_parameters, "link,parameter,weight\n0,d,1\n0,theta,1\n", 3);
+}
+
+int main(void)
+{
+    message_start("armtol");
+    UNITY_BEGIN();
+    RUN_TEST(test_arm);
+    RUN_TEST(test_poses);
+    RUN_TEST(test_parameters);
+    return UNITY_END();
+}

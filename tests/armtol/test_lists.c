@@ -1,0 +1,258 @@
+/* Lists of poses, and tables with a value for every parameter: what is read, and every message with its place. */
+
+#include "lists.h"
+#include "message.h"
+
+#include "check.h"
+#include "random.h"
+#include "said.h"
+
+#include "unity.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* ---- poses ---- */
+
+static bool read_poses(const char *bytes, size_t length, size_t n_joints, double **poses, size_t *n_poses, said *said)
+{
+    FILE *stream = stream_of(bytes, length);
+    said_begin();
+    const bool fine = poses_read(stream, "poses.csv", n_joints, poses, n_poses);
+    said_end(said);
+    fclose(stream);
+    return fine;
+}
+
+/* Two poses of three joints: 1 -2 0.5, 4 5 600. */
+static void check_poses(const char *text)
+{
+    static const double expected[] = {1, -2, 0.5, 4, 5, 600};
+    double *poses;
+    size_t n_poses;
+    said said;
+    const bool fine = read_poses(text, strlen(text), 3, &poses, &n_poses, &said);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE("", said.text, text);
+    TEST_ASSERT_TRUE_MESSAGE(fine, text);
+    TEST_ASSERT_EQUAL_UINT_MESSAGE(2, n_poses, text);
+    for (size_t i = 0; i < sizeof expected / sizeof expected[0]; i++) {
+        check_same(expected[i], poses[i], "value %zu of %s", i, text);
+    }
+    free(poses);
+}
+
+static void test_poses(void)
+{
+    check_poses("1 -2 0.5\n4 5 600\n");
+    check_poses("# remark\n\n  1, -2.0 ,5e-1 # remark\r\n\r\n4,5,600");
+    check_poses("\xef\xbb\xbf" "1;-2;0,5;;\r\n;;;;\r\n\"4\";5;600,0;\r\n\"# one; two\";;;;\r\n");
+    check_poses("1\t-2\t0,5\r4\t5\t600\r");
+    check_poses("1 -2 0.5\n4;5;6e2"); /* each line says for itself what is between its values */
+}
+
+static void test_many_poses(void)
+{
+    enum { POSES = 5000, LENGTH = 32 };
+    char *text = calloc(POSES, LENGTH);
+    TEST_ASSERT_NOT_NULL(text);
+    size_t length = 0, n_poses;
+    for (int i = 0; i < POSES; i++) {
+        length += (size_t)snprintf(text + length, LENGTH, "%d,%d\n", i, -i);
+    }
+    double *poses;
+    said said;
+    TEST_ASSERT_TRUE(read_poses(text, length, 2, &poses, &n_poses, &said));
+    TEST_ASSERT_EQUAL_UINT(POSES, n_poses);
+    for (int i = 0; i < POSES; i++) {
+        check_same(i, poses[2 * i], "pose %d", i);
+        check_same(-i, poses[2 * i + 1], "pose %d", i);
+    }
+    free(poses);
+    free(text);
+}
+
+static void check_poses_refused(const char *expected, const char *text)
+{
+    double *poses;
+    size_t n_poses;
+    said said;
+    char line[1100];
+    const bool fine = read_poses(text, strlen(text), 3, &poses, &n_poses, &said);
+    snprintf(line, sizeof line, "armtol: poses.csv:%s\n", expected);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE(line, said.text, text);
+    TEST_ASSERT_FALSE_MESSAGE(fine, text);
+    TEST_ASSERT_NULL(poses);
+    TEST_ASSERT_EQUAL_UINT(0, n_poses);
+}
+
+static void test_wrong_poses(void)
+{
+    check_poses_refused(" no poses; expected a line of 3 joint values for each", "");
+    check_poses_refused(" no poses; expected a line of 3 joint values for each", "# none\n;;\n");
+    check_poses_refused("2:5: 2 values; expected 3, one for each joint", "1 2 3\n4 5 # 6\n");
+    check_poses_refused("1:2: 1 value; expected 3, one for each joint", "1\n");
+    check_poses_refused("1:7: 4 values; expected 3, one for each joint", "1;2;3;4;;\n");
+    check_poses_refused("1:3: \"\" is not a number; expected the values of 3 joints", "1,,3\n");
+    check_poses_refused("1:1: \"q1\" is not a number; expected the values of 3 joints", "q1,q2,q3\n1,2,3\n");
+    check_poses_refused("2:3: \"inf\" is not a finite number; expected the values of 3 joints", "1,2,3\n1,inf,3\n");
+    check_poses_refused("1:5: \"1e400\" is too large a number; expected the values of 3 joints", "1 2 1e400\n");
+    check_poses_refused("1:3: \"90deg\" is not a number; expected the values of 3 joints", "0 90deg 0\n");
+    check_poses_refused("1:4: the quoted cell does not end on this line", "1, \"2, 3\n");
+}
+
+/* ---- parameters ---- */
+
+static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_PPR, ARMTOL_REVOLUTE}};
+
+enum { COLUMNS = 8 }; /* 0: theta d a alpha, 1: theta a alpha beta */
+static armtol_column columns[COLUMNS];
+
+static bool read_parameters(const char *bytes, size_t length, bool all, bool infinite, double values[], said *said)
+{
+    const parameter_table table = {links, columns, COLUMNS, "tolerance", all};
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_columns(links, 2, columns, COLUMNS));
+    FILE *stream = stream_of(bytes, length);
+    said_begin();
+    const bool fine = parameters_read(stream, "given.csv", &table, infinite, values);
+    said_end(said);
+    fclose(stream);
+    return fine;
+}
+
+static void check_parameters(const double expected[COLUMNS], const char *text, bool all, bool infinite)
+{
+    double values[COLUMNS] = {-1, -1, -1, -1, -1, -1, -1, -1};
+    said said;
+    const bool fine = read_parameters(text, strlen(text), all, infinite, values, &said);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE("", said.text, text);
+    TEST_ASSERT_TRUE_MESSAGE(fine, text);
+    for (size_t k = 0; k < COLUMNS; k++) {
+        check_same(expected[k], values[k], "column %zu of %s", k, text);
+    }
+}
+
+static void test_parameters(void)
+{
+    static const double every[COLUMNS] = {0.5, 1, 2, 3, 4, 5, 6, 7e-3};
+    static const double some[COLUMNS] = {-1, -1, -1, 2, -1, -1, -1, 9};
+    const double free_ones[COLUMNS] = {-1, (double)INFINITY, -1, -1, (double)INFINITY, 8, -1, -1};
+    check_parameters(every, "link,kind,parameter,role,nominal,tolerance,unit\n"
+                            "0,npr,theta,motor,0,0.5,rad\n0,npr,d,machining,0,1,mm\n0,npr,a,machining,0,2,mm\n"
+                            "0,npr,alpha,machining,0,3,rad\n1,ppr,theta,motor,0,4,rad\n1,ppr,a,machining,0,5,mm\n"
+                            "1,ppr,alpha,machining,0,6,rad\n1,ppr,beta,machining,0,7e-3,rad\n", true, false);
+    check_parameters(some, "\xef\xbb\xbfParameter;Link;Tolerance;;\r\nBETA;1;9,0;;\r\n;;;;\r\nalpha;00;2;;", false,
+                     true);
+    check_parameters(free_ones, "link tolerance parameter\n0 - d # free\n1 inf theta\n1 8 a\n", false, true);
+}
+
+static void check_parameters_refused(const char *expected, const char *text)
+{
+    double values[COLUMNS];
+    said said;
+    char line[1100];
+    const bool fine = read_parameters(text, strlen(text), true, false, values, &said);
+    snprintf(line, sizeof line, "armtol: given.csv:%s\n", expected);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE(line, said.text, text);
+    TEST_ASSERT_FALSE_MESSAGE(fine, text);
+}
+
+#define HEAD "link,parameter,tolerance\n"
+
+static void test_wrong_heads_of_parameters(void)
+{
+    check_parameters_refused(" no table; expected a head row with link, parameter, tolerance", "# none");
+    check_parameters_refused("1:1: the head row has no column \"tolerance\"; expected link, parameter, tolerance",
+                             "link,parameter,weight\n");
+    check_parameters_refused("1:1: the head row has no column \"link\"; expected link, parameter, tolerance",
+                             "0,theta,1\n");
+    check_parameters_refused("1:16: a second column \"parameter\"", "link,parameter,Parameter,tolerance\n");
+}
+
+static void test_wrong_rows_of_parameters(void)
+{
+    check_parameters_refused("2:1: link \"2\": expected a whole number from 0 to 1, the last link", HEAD "2,theta,1\n");
+    check_parameters_refused("2:1: link \"-1\": expected a whole number from 0 to 1, the last link", HEAD "-1,d,1\n");
+    check_parameters_refused("2:1: link \"18446744073709551616\": expected a whole number from 0 to 1, the last link",
+                             HEAD "18446744073709551616,theta,1\n");
+    check_parameters_refused("2:1: link \"0.0\": expected a whole number from 0 to 1, the last link", HEAD "0.0,d,1\n");
+    check_parameters_refused("2:3: link 0, of kind npr, has no parameter \"beta\"; expected theta, d, a, alpha",
+                             HEAD "0,beta,1\n");
+    check_parameters_refused("3:3: link 1, of kind ppr, has no parameter \"gamma\"; expected theta, a, alpha, beta",
+                             HEAD "0,a,1\n1,gamma,1\n");
+    check_parameters_refused("4:1: d of link 0 a second time; the first is in line 2", HEAD "0,d,1\n\n0,d,1\n");
+    check_parameters_refused("2:5: tolerance: \"0\" is not greater than zero", HEAD "0,d,0\n");
+    check_parameters_refused("2:5: tolerance: \"-2\" is not greater than zero", HEAD "0,d,-2\n");
+    check_parameters_refused("2:5: tolerance: \"-\" is not a number", HEAD "0,d,-\n");
+    check_parameters_refused("2:5: tolerance: \"inf\" is not a finite number", HEAD "0,d,inf\n");
+    check_parameters_refused("2:5: tolerance: \"1mm\" is not a number", HEAD "0,d,1mm\n");
+    check_parameters_refused("2:4: no value for \"tolerance\"", HEAD "0,d\n");
+    check_parameters_refused("2:3: no value for \"parameter\"", HEAD "0,,1\n");
+}
+
+static void test_missing_parameters_are_named(void)
+{
+    check_parameters_refused(" no tolerance for d of link 0, alpha of link 0, theta of link 1, a of link 1, "
+                             "alpha of link 1 and 1 more", HEAD "0,theta,1\n0,a,1\n");
+    check_parameters_refused(" no tolerance for beta of link 1",
+                             HEAD "0,theta,1\n0,d,1\n0,a,1\n0,alpha,1\n1,theta,1\n1,a,1\n1,alpha,1\n");
+}
+
+/* ---- anything at all ---- */
+
+static void check_said(bool fine, const said *said, const char *path)
+{
+    if (fine) {
+        TEST_ASSERT_EQUAL_STRING("", said->text);
+    } else {
+        TEST_ASSERT_EQUAL_STRING_LEN(path, said->text, strlen(path));
+        TEST_ASSERT_EQUAL_PTR(strrchr(said->text, '\n'), strchr(said->text, '\n'));
+    }
+}
+
+static void test_anything_at_all(void)
+{
+    static const char alphabet[] = "\n\r\t ,;#\"-.:01eainf\xff";
+    static const char seed[] = "link,parameter,tolerance\n0,\"d\",1\n1;a;2,5;\n1 2 3\n0,alpha,-\n";
+    random_source random = {11};
+    for (int i = 0; i < TEST_FUZZ; i++) {
+        char text[sizeof seed];
+        double values[COLUMNS], *poses;
+        size_t n_poses;
+        said said;
+        memcpy(text, seed, sizeof seed);
+        for (int k = (int)random_between(&random, 0, 8); k > 0; k--) {
+            text[(size_t)random_between(&random, 0, sizeof seed - 1)] =
+                alphabet[(size_t)random_between(&random, 0, sizeof alphabet)];
+        }
+        const bool parameters = read_parameters(text, sizeof seed - 1, false, i % 2 == 0, values, &said);
+        check_said(parameters, &said, "armtol: given.csv:");
+        const size_t first = i % 2 == 0 ? 0 : strlen("link,parameter,tolerance\n");
+        const bool posed = read_poses(text + first, sizeof seed - 1 - first, 3, &poses, &n_poses, &said);
+        check_said(posed, &said, "armtol: poses.csv:");
+        free(poses);
+    }
+}
+
+int main(void)
+{
+    message_start("armtol");
+    UNITY_BEGIN();
+    RUN_TEST(test_poses);
+    RUN_TEST(test_many_poses);
+    RUN_TEST(test_wrong_poses);
+    RUN_TEST(test_parameters);
+    RUN_TEST(test_wrong_heads_of_parameters);
+    RUN_TEST(test_wrong_rows_of_parameters);
+    RUN_TEST(test_missing_parameters_are_named);
+    RUN_TEST(test_anything_at_all);
+    return UNITY_END();
+}

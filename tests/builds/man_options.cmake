@@ -1,0 +1,27 @@
+# Every option that a program's --help shows has an entry in its manual page, and the page speaks of no other.
+cmake_minimum_required(VERSION 3.20)
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+
+run(${PROGRAM} --help)
+set(help "${run_output}")
+file(READ ${PAGE} page)
+
+string(REGEX MATCHALL "--[a-z][a-z-]*" long "${help}")
+if(NOT long)
+  message(FATAL_ERROR "${PROGRAM} --help shows no option:\n${help}")
+endif()
+string(REGEX MATCHALL " -[A-Za-z]," short "${help}")
+list(TRANSFORM long REPLACE "--(.*)" "Fl Fl \\1")
+list(TRANSFORM short REPLACE " -(.)," "Fl \\1")
+foreach(macro IN LISTS long short)
+  if(NOT page MATCHES "\n\\.It ([^\n]* )?${macro}[ \n]")
+    message(SEND_ERROR "${PAGE} has no entry for ${macro}")
+  endif()
+endforeach()
+
+string(REGEX MATCHALL "Fl Fl [a-z-]+" named "${page}")
+foreach(macro IN LISTS named)
+  if(NOT macro IN_LIST long)
+    message(SEND_ERROR "${PAGE} has ${macro}, which ${PROGRAM} --help does not show")
+  endif()
+endforeach()
