@@ -9,8 +9,8 @@
 #include <stddef.h>
 
 /*
- * A with its bounds in many poses of one arm, fast: what no joint moves is prepared once, and poses are done side by
- * side in blocks. One pose alone and a pose in a block give the same bits, on any machine.
+ * A with its bounds in many poses of one arm, fast: what no joint moves is prepared once, and poses are done
+ * side by side in blocks. One pose alone and a pose in a block give the same bits, on any machine.
  */
 
 /* The poses of a block, and the number of blocks that hold n_poses. */
@@ -18,7 +18,7 @@ enum { ARMTOL_POSE_BLOCK = 8 };
 #define ARMTOL_POSE_BLOCKS(n_poses) (((n_poses) + (ARMTOL_POSE_BLOCK - 1)) / ARMTOL_POSE_BLOCK)
 
 /* The place of element (i, j) of A in pose p, in the blocks of A of n_columns columns. */
-#define ARMTOL_POSE_ELEMENT(n_columns, i, j, p)                                                                       \
+#define ARMTOL_POSE_ELEMENT(n_columns, i, j, p)                                                              \
     ((((p) / ARMTOL_POSE_BLOCK * 6 + (i)) * (n_columns) + (j)) * ARMTOL_POSE_BLOCK + (p) % ARMTOL_POSE_BLOCK)
 
 /* One link as it is needed here. Filled by armtol_poses_start. */
@@ -41,10 +41,10 @@ typedef struct armtol_poses {
 } armtol_poses;
 
 /*
- * Prepare for poses of an arm: links are its table at joint values 0, prepared has n_links places and has to stay as
- * long as poses is used; tolerances and delta as of armtol_norm_bounds, along the axes of tool->frame.
- * Errors: those of armtol_links_check and armtol_tolerances_check; ARMTOL_NOT_FINITE for an offset that is not;
- * ARMTOL_BAD_TOLERANCE where one tolerance (less delta) is more than 1e100 times another.
+ * Prepare for poses of an arm: links are its table at joint values 0, prepared has n_links places and has to
+ * stay as long as poses is used; tolerances and delta as of armtol_norm_bounds, along the axes of
+ * tool->frame. Errors: those of armtol_links_check and armtol_tolerances_check; ARMTOL_NOT_FINITE for an
+ * offset that is not; ARMTOL_BAD_TOLERANCE where one tolerance (less delta) is more than 1e100 times another.
  */
 armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[], const armtol_link links[],
                                  size_t n_links, const armtol_tool_point *tool, const double tolerances[6],
@@ -52,14 +52,16 @@ armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[
 
 /*
  * One pose: q has n_joints values; matrix is that of armtol_tool_matrix, and the bounds are those of
- * armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the bounds it counts for nan.
+ * armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the bounds it counts for
+ * nan.
  */
 void armtol_pose(const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds);
 
 /*
- * Many: joint k of pose p is q[p * n_joints + k]; blocks has ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK *
- * 6 * n_columns places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT; bounds one a pose. The places of the
- * last block that no pose is left for repeat the last pose. It is fastest where blocks is aligned to 64 bytes.
+ * Many: joint k of pose p is q[p * n_joints + k]; blocks has ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK
+ * * 6 * n_columns places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT; bounds one a pose. The places
+ * of the last block that no pose is left for repeat the last pose. It is fastest where blocks is aligned to
+ * 64 bytes.
  */
 void armtol_pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                         armtol_bounds bounds[]);

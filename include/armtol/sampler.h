@@ -9,10 +9,10 @@
 #include <stdint.h>
 
 /*
- * Arms drawn at random: every parameter of arm i is off by a draw that is uniform within its tolerance and depends
- * on the seed, i and the parameter's column alone: not on what was drawn before, on the machine or on the number of
- * threads. Once a sampler is started its arithmetic calls nothing of libm but what rounds exactly (where no tolerance
- * of an angle is more than 1e6), so that machines agree to the bit.
+ * Arms drawn at random: every parameter of arm i is off by a draw that is uniform within its tolerance and
+ * depends on the seed, i and the parameter's column alone: not on what was drawn before, on the machine or on
+ * the number of threads. Once a sampler is started its arithmetic calls nothing of libm but what rounds
+ * exactly (where no tolerance of an angle is more than 1e6), so that machines agree to the bit.
  */
 
 /* One link as the sampler needs it. Filled by armtol_sampler_start. */
@@ -24,7 +24,7 @@ typedef struct armtol_sampled_link {
     bool off[ARMTOL_PARAMETER_COUNT];         /* whether the tolerance is more than 0 */
     double tolerances[ARMTOL_PARAMETER_COUNT]; /* 0 for what the kind does not count */
     size_t columns[ARMTOL_PARAMETER_COUNT];    /* SIZE_MAX for what the kind does not count */
-    uint64_t steps[ARMTOL_PARAMETER_COUNT];    /* of the generator, to the column's draw from an arm's first */
+    uint64_t steps[ARMTOL_PARAMETER_COUNT];    /* of the generator, from an arm's first draw on */
 } armtol_sampled_link;
 
 typedef struct armtol_sampler {
@@ -34,17 +34,17 @@ typedef struct armtol_sampler {
     armtol_tool_point tool;
     armtol_transform meant; /* where the last frame should be */
     armtol_transform start; /* its inverse: a chain that starts there ends in the error, seen from the tool */
-    bool large_errors;      /* an angle's tolerance is too large for the short series of its sine and cosine */
+    bool large_errors;      /* a tolerance of an angle is too large for the short series of sine and cosine */
     bool large_turn;        /* all angles' together are too large for the series of the rotation vector */
     uint64_t seed;
     uint64_t key; /* the seed, mixed */
 } armtol_sampler;
 
 /*
- * Prepare to draw arms at one pose: links are placed, tolerances has one value >= 0 a column (error_matrix.h),
- * prepared has n_links places and has to stay as long as the sampler is used. Samplers with the same seed and
- * columns draw the same parts of their tolerances: one arm can be looked at in several poses.
- * Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_columns is not armtol_column_count;
+ * Prepare to draw arms at one pose: links are placed, tolerances has one value >= 0 a column
+ * (error_matrix.h), prepared has n_links places and has to stay as long as the sampler is used. Samplers with
+ * the same seed and columns draw the same parts of their tolerances: one arm can be looked at in several
+ * poses. Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_columns is not armtol_column_count;
  * ARMTOL_BAD_TOLERANCE for a tolerance that is negative; ARMTOL_NOT_FINITE for one that is not, or an offset.
  */
 armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link prepared[],
@@ -52,14 +52,15 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
                                    size_t n_columns, const armtol_tool_point *tool, uint64_t seed);
 
 /*
- * The draw, uniform in [-1, 1), of that number: arm i takes number i * n_columns + k for its parameter of column k.
- * Source: splitmix64 (Steele, Lea, Flood 2014). Its state only counts, so that any draw can be had at once.
+ * The draw, uniform in [-1, 1), of that number: arm i takes number i * n_columns + k for its parameter of
+ * column k. Source: splitmix64 (Steele, Lea, Flood 2014). Its state only counts, so that any draw can be had
+ * at once.
  */
 double armtol_sampler_uniform(uint64_t seed, uint64_t number);
 
 /*
- * The errors of the tool of arms first to first + count - 1, as armtol_tool_error has them; component i of arm
- * first + j goes to errors[i * count + j].
+ * The errors of the tool of arms first to first + count - 1, as armtol_tool_error has them; component i of
+ * arm first + j goes to errors[i * count + j].
  */
 void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]);
 

@@ -5,10 +5,10 @@
 #include "armtol/tool_point.h"
 
 /*
- * A, 6 x n_columns, for the tool point: the motion of that point and the rotation, along the axes of tool->frame,
- * for a unit error of each parameter of the placed links; columns as of armtol_columns. The same as
- * armtol_error_matrix with no erratum, from the axes of the links instead of adjoints, and many times as fast.
- * Errors: as of armtol_error_matrix.
+ * A, 6 x n_columns, for the tool point: the motion of that point and the rotation, along the axes of
+ * tool->frame, for a unit error of each parameter of the placed links; columns as of armtol_columns. The same
+ * as armtol_error_matrix with no erratum, from the axes of the links instead of adjoints, and many times as
+ * fast. Errors: as of armtol_error_matrix.
  */
 armtol_status armtol_tool_matrix(const armtol_link links[], size_t n_links, const armtol_tool_point *tool,
                                  double matrix[], size_t n_columns);

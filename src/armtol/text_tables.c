@@ -24,13 +24,18 @@ static table_row *add_numbered(table *table, size_t number)
 }
 
 /* A dash where there is nothing to say. */
-static void set_number(table_row *row, size_t column, double value)
+static void set_digits(table_row *row, size_t column, int digits, double value)
 {
     if (isnan(value)) {
         table_set(row, column, "-");
     } else {
-        table_set(row, column, "%.6g", value);
+        table_set(row, column, "%.*g", digits, value);
     }
+}
+
+static void set_number(table_row *row, size_t column, double value)
+{
+    set_digits(row, column, 6, value);
 }
 
 bool text_parameters(const findings *findings)
@@ -134,13 +139,12 @@ static void fill_verified(const findings *findings, size_t i, table_row *row)
     const verified_component *component = &findings->verification->components[i];
     size_t at = 1;
     for (int j = 0; j < VERIFICATION_QUANTILES; j++) {
-        set_number(row, at++, findings_shown(findings, i, component->quantiles[j]));
+        set_digits(row, at++, 4, findings_shown(findings, i, component->quantiles[j]));
     }
-    set_number(row, at++, findings_shown(findings, i, component->worst_drawn));
-    set_number(row, at++, findings_shown(findings, i, component->worst_corner));
-    set_number(row, at++, findings_shown(findings, i, component->prediction));
-    set_number(row, at++, findings_shown(findings, i, component->remainder));
-    table_set(row, at, "%s", units_name(&findings->request->units, i < 3));
+    set_digits(row, at++, 4, findings_shown(findings, i, component->worst_drawn));
+    set_digits(row, at++, 6, findings_shown(findings, i, component->worst_corner));
+    set_digits(row, at++, 6, findings_shown(findings, i, component->prediction));
+    set_digits(row, at, 2, findings_shown(findings, i, component->remainder));
 }
 
 static void print_share(const findings *findings)
@@ -159,31 +163,32 @@ static void print_share(const findings *findings)
 bool text_verification(const findings *findings)
 {
     char quantiles[VERIFICATION_QUANTILES][24];
-    const char *head[VERIFICATION_QUANTILES + 6] = {"component"};
+    const char *head[VERIFICATION_QUANTILES + 5] = {"error"};
     size_t at = 1;
     for (int j = 0; j < VERIFICATION_QUANTILES; j++) {
         snprintf(quantiles[j], sizeof quantiles[j], "%g %%", 100 * verification_quantiles[j]);
         head[at++] = quantiles[j];
     }
     head[at++] = "worst";
-    head[at++] = "at a corner";
-    head[at++] = "prediction";
+    head[at++] = "corner";
+    head[at++] = "by A";
     head[at++] = "remainder";
-    head[at++] = "unit";
     char title[128];
-    snprintf(title, sizeof title, "%llu arms drawn within the tolerances (seed %llu): errors not exceeded by",
-             (unsigned long long)findings->verification->drawn,
-             (unsigned long long)findings->request->options->seed);
     table table;
     table_start(&table, at);
     bool fine = table_add_head(&table, head);
     for (size_t i = 0; i < 6 && fine; i++) {
-        table_row *row = table_add(&table, component_names[i]);
+        char label[TABLE_CELL];
+        snprintf(label, sizeof label, "%s, %s", component_names[i], units_name(&findings->request->units, i < 3));
+        table_row *row = table_add(&table, label);
         fine = row != NULL;
         if (fine) {
             fill_verified(findings, i, row);
         }
     }
+    snprintf(title, sizeof title, "%llu arms drawn within the tolerances (seed %llu): errors not exceeded by",
+             (unsigned long long)findings->verification->drawn,
+             (unsigned long long)findings->request->options->seed);
     fine = finish(&table, title, fine);
     if (fine) {
         print_share(findings);

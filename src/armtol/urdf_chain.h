@@ -14,8 +14,8 @@ typedef struct urdf_chain {
 } urdf_chain;
 
 /*
- * In a tree that is connected. NULL for base: the only root; NULL for tip: the only leaf below the base. False
- * after a message; there is then nothing to be freed.
+ * In a tree that is connected. NULL for base: the only root; NULL for tip: the only leaf below the base.
+ * False after a message; there is then nothing to be freed.
  */
 bool urdf_chain_find(const urdf_tree *tree, const char *base, const char *tip, urdf_chain *chain);
 void urdf_chain_free(urdf_chain *chain);

@@ -1,7 +1,7 @@
 /*
- * How long the library takes for one pose and for one sample of the Intelledex 605T, beside a loop written by hand for
- * that arm. Every case is measured in many short rounds, all cases in turn: the least of a case is what the machine
- * can do, the median tells how much others were in the way.
+ * How long the library takes for one pose and for one sample of the Intelledex 605T, beside a loop written by
+ * hand for that arm. Every case is measured in many short rounds, all cases in turn: the least of a case is
+ * what the machine can do, the median tells how much others were in the way.
  */
 
 #include "cases.h"

@@ -24,7 +24,7 @@ static double tolerances[COLUMNS], far_tolerances[COLUMNS];
 static textbook_arm arm;
 
 static double matrices[POSES][6][COLUMNS];
-static double blocks[ARMTOL_POSE_BLOCKS(POSES) * ARMTOL_POSE_BLOCK * 6 * COLUMNS] __attribute__((aligned(64)));
+static double blocks[POSES * 6 * COLUMNS] __attribute__((aligned(64)));
 static armtol_bounds bounds[POSES];
 static double errors[6 * ARMS];
 
@@ -181,7 +181,8 @@ static bool start_poses(void)
     for (size_t p = 0; p < POSES; p++) {
         armtol_links_place(links, LINKS, q + p * JOINTS, JOINTS, &armtol_errata_none, placed[p]);
     }
-    return armtol_poses_start(&poses, pose_links, links, LINKS, &armtol_tool_origin, accuracy, delta) == ARMTOL_OK;
+    return armtol_poses_start(&poses, pose_links, links, LINKS, &armtol_tool_origin, accuracy, delta) ==
+           ARMTOL_OK;
 }
 
 static bool start_samplers(void)
@@ -196,8 +197,8 @@ static bool start_samplers(void)
         far_tolerances[k] = length ? 0.05 : 0.1;
     }
     textbook_arm_start(&arm, pose, tolerances, SEED);
-    return armtol_sampler_start(&sampler, sampled_links, here, LINKS, tolerances, COLUMNS, &armtol_tool_origin,
-                                SEED) == ARMTOL_OK &&
+    return armtol_sampler_start(&sampler, sampled_links, here, LINKS, tolerances, COLUMNS,
+                                &armtol_tool_origin, SEED) == ARMTOL_OK &&
            armtol_sampler_start(&far_sampler, far_sampled_links, here, LINKS, far_tolerances, COLUMNS,
                                 &armtol_tool_origin, SEED) == ARMTOL_OK;
 }

@@ -61,7 +61,8 @@ typedef struct sums {
     double lengths[3], angles[6];
 } sums;
 
-static inline void angle_column(double matrix[6][32], int k, vector axis, vector origin, vector tool, sums *sums)
+static inline void angle_column(double matrix[6][32], int k, vector axis, vector origin, vector tool,
+                                sums *sums)
 {
     const vector v = cross(axis, minus(tool, origin));
     const double column[6] = {v.x, v.y, v.z, axis.x, axis.y, axis.z};
@@ -82,7 +83,8 @@ static inline void length_column(double matrix[6][32], int k, vector axis, sums 
 }
 
 /* theta, d, a, alpha; before and behind are the frames with theta as it is, behind without alpha. */
-static inline void npr(double matrix[6][32], int k, const place *before, const place *behind, vector tool, sums *sums)
+static inline void npr(double matrix[6][32], int k, const place *before, const place *behind, vector tool,
+                       sums *sums)
 {
     angle_column(matrix, k, before->z, before->origin, tool, sums);
     length_column(matrix, k + 1, before->z, sums);
@@ -91,7 +93,8 @@ static inline void npr(double matrix[6][32], int k, const place *before, const p
 }
 
 /* theta, a, alpha, beta; alpha is 0 */
-static inline void ppr(double matrix[6][32], int k, const place *before, const place *behind, vector tool, sums *sums)
+static inline void ppr(double matrix[6][32], int k, const place *before, const place *behind, vector tool,
+                       sums *sums)
 {
     angle_column(matrix, k, before->z, before->origin, tool, sums);
     length_column(matrix, k + 1, behind->x, sums);

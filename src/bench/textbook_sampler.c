@@ -112,7 +112,8 @@ void textbook_arm_start(textbook_arm *arm, const double q[6], const double toler
 /* Element (i, j) of the turn from the tool as meant to the tool as built. */
 static inline double turned(const frame *f, const textbook_arm *arm, int i, int j)
 {
-    return f->r[i][0] * arm->rotation[j][0] + f->r[i][1] * arm->rotation[j][1] + f->r[i][2] * arm->rotation[j][2];
+    const double *const built = f->r[i], *const meant = arm->rotation[j];
+    return built[0] * meant[0] + built[1] * meant[1] + built[2] * meant[2];
 }
 
 static inline void rotation_vector(const frame *f, const textbook_arm *arm, double vector[3])

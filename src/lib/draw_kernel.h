@@ -3,8 +3,8 @@
 LANE_INLINE void LANED(uniform)(const BITS *state, REAL *draw)
 {
     /*
-     * The upper 53 bits, over 2^52, less 1; exactly, and without a conversion, which not every machine has for
-     * vectors: as the lowest bits of 1 and of 2^32 their lower 32 count 2^-52 each, the upper 21 2^-20.
+     * The upper 53 bits, over 2^52, less 1; exactly, and without a conversion, which not every machine has
+     * for vectors: as the lowest bits of 1 and of 2^32 their lower 32 count 2^-52 each, the upper 21 2^-20.
      */
     BITS bits = *state;
     SPLITMIX_MIX(bits);

@@ -1,10 +1,11 @@
 /*
- * A kernel (lanes.h): A from the axes of the links. A unit error of an angle turns all behind it about its axis, which
- * moves the tool point by axis x (tool point - point of the axis); one of a length moves it along the axis. The axes
- * are z of the frame before the link for theta and d, x turned by theta for a and alpha, y behind the link for beta.
+ * A kernel (lanes.h): A from the axes of the links. A unit error of an angle turns all behind it about its
+ * axis, which moves the tool point by axis x (tool point - point of the axis); one of a length moves it along
+ * the axis. The axes are z of the frame before the link for theta and d, x turned by theta for a and alpha, y
+ * behind the link for beta.
  *
- * The tool point is known when all links are walked. Until then an angle's column keeps the point of its axis where
- * the motion of the tool point will be, so that no other memory is needed.
+ * The tool point is known when all links are walked. Until then an angle's column keeps the point of its axis
+ * where the motion of the tool point will be, so that no other memory is needed.
  */
 
 /* What the joint of a link sets. */

@@ -3,7 +3,9 @@
 
 #include <stddef.h>
 
-/* A matrix A, or lanes of a block of them: element (i, k) of the first lane at first[i * row + k * column]. */
+/*
+ * A matrix A, or lanes of a block of them: element (i, k) of the first lane at first[i * row + k * column].
+ */
 typedef struct matrix_view {
     double *first;
     size_t row, column;

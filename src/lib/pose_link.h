@@ -7,13 +7,14 @@
 
 #define NO_COLUMN SIZE_MAX
 
-/* The link's own part of what is prepared; its columns from *column on, which is moved on behind them. */
-armtol_pose_link pose_link_of(const armtol_link *link, size_t *column);
+/*
+ * What is prepared of the first links of a chain, at most POSE_LINKS of them: returns how many. Their columns
+ * are counted from *column on, which is moved on behind them.
+ */
+enum { POSE_LINKS = 8 };
+size_t pose_links_of(const armtol_link links[], size_t n_links, size_t *column, armtol_pose_link made[]);
 
-/* Where its parameters' columns are, NO_COLUMN for what the kind does not count. */
+/* Where the columns of a link's parameters are, NO_COLUMN for what the kind does not count. */
 void columns_of_link(armtol_kind kind, size_t *column, size_t columns[ARMTOL_PARAMETER_COUNT]);
-
-/* The sine and cosine of one angle, as the kernels have them. */
-void sine_cosine_of(double angle, double *sine, double *cosine);
 
 #endif

@@ -9,66 +9,56 @@
 static const armtol_transform base = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
 
 #define LANES 1
+#include "triple_kernel.h"
 #include "poses_kernel.h"
 #undef LANES
 #if LANES_ARE_VECTORS
 #define LANES 2
+#include "triple_kernel.h"
 #include "poses_kernel.h"
 #undef LANES
 #endif
 #if LANES_HAVE_MACHINES
 #define LANES 4
+#include "triple_kernel.h"
 #include "poses_kernel.h"
 #undef LANES
 #define LANES 8
+#include "triple_kernel.h"
+#include "poses_kernel.h"
+#undef LANES
+#include "quad.h"
+#define LANES quad
 #include "poses_kernel.h"
 #undef LANES
 #endif
 
 /* ---- one pose ---- */
 
-/* Of a link whose joint does not turn it, any angle will do. */
-static inline void angles_of(const armtol_pose_link links[], size_t n_links, const double q[], double angles[BLOCK])
+LANE_INLINE void sines_of(const armtol_pose_link links[], size_t n_links, const double q[],
+                          double sines[BLOCK], double cosines[BLOCK], int lanes)
 {
-    size_t joint = 0;
-    for (size_t i = 0; i < BLOCK; i++) {
-        const bool there = i < n_links;
-        angles[i] = there && links[i].joint == ARMTOL_REVOLUTE ? q[joint] + links[i].theta : 0;
-        joint += there && links[i].joint != ARMTOL_FIXED;
+    double angles[BLOCK] = {0};
+    for (size_t i = 0; i < n_links && i < BLOCK; i++) {
+        angles[i] = links[i].joint == ARMTOL_REVOLUTE ? *q + links[i].theta : links[i].theta;
+        q += links[i].joint != ARMTOL_FIXED;
     }
+    LANES_CALL(sines_cosines, lanes, (angles, sines, cosines));
 }
 
-/* Of as many links as a block has lanes: the sines and cosines are done side by side, all else one by one. */
-LANE_INLINE const double *walk_some(const armtol_pose_link links[], size_t n_links, const double q[], int lanes,
-                                    const matrix_view *matrix, frame_1 *frame)
-{
-    double angles[BLOCK], sines[BLOCK], cosines[BLOCK];
-    angles_of(links, n_links, q, angles);
-    LANES_CALL(sines_cosines, lanes, (angles, sines, cosines));
-    for (size_t i = 0; i < n_links && i < BLOCK; i++) {
-        const armtol_pose_link *const link = &links[i];
-        const bool turns = link->joint == ARMTOL_REVOLUTE, slides = link->joint == ARMTOL_PRISMATIC;
-        const setting_1 setting = {
-            .cosine = turns ? cosines[i] : link->cos_theta,
-            .sine = turns ? sines[i] : link->sin_theta,
-            .d = slides ? link->d + *q : link->d,
-        };
-        walk_link_1(link, &setting, matrix, frame);
-        q += turns || slides;
-    }
-    return q;
-}
+#define LANES 1
+#include "one_pose_kernel.h"
+#undef LANES
+#if LANES_HAVE_MACHINES
+#define LANES quad
+#include "one_pose_kernel.h"
+#undef LANES
+#endif
 
 LANE_INLINE void one_pose(const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds,
                           int lanes)
 {
-    const matrix_view view = {matrix, poses->n_columns, 1};
-    frame_1 frame;
-    put_frame_1(&base, &frame);
-    for (size_t i = 0; i < poses->n_links; i += BLOCK) {
-        q = walk_some(poses->links + i, poses->n_links - i, q, lanes, &view, &frame);
-    }
-    finish_1(poses, &frame, &view, bounds);
+    QUAD_CALL(one_pose, lanes, (poses, q, matrix, bounds, lanes));
 }
 
 /* ---- many ---- */
@@ -92,12 +82,12 @@ LANE_INLINE void all_blocks(const armtol_poses *poses, const double q[], size_t 
     }
 }
 
-LANES_MACHINES(one_pose, (const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds),
-               poses, q, matrix, bounds)
+LANES_MACHINES(one_pose, (const armtol_poses *poses, const double q[], double matrix[],
+                          armtol_bounds *bounds), poses, q, matrix, bounds)
 
 LANES_MACHINES(all_blocks,
-               (const armtol_poses *poses, const double q[], size_t n_poses, double blocks[], armtol_bounds bounds[]),
-               poses, q, n_poses, blocks, bounds)
+               (const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
+                armtol_bounds bounds[]), poses, q, n_poses, blocks, bounds)
 
 void armtol_pose(const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds)
 {
@@ -166,8 +156,8 @@ armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[
     if (!weigh_all(&started, tolerances, delta)) {
         return ARMTOL_BAD_TOLERANCE;
     }
-    for (size_t i = 0; i < n_links; i++) {
-        prepared[i] = pose_link_of(&links[i], &started.n_columns);
+    for (size_t done = 0; done < n_links;) {
+        done += pose_links_of(links + done, n_links - done, &started.n_columns, prepared + done);
     }
     *poses = started;
     return ARMTOL_OK;

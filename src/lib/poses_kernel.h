@@ -31,8 +31,8 @@ LANE_INLINE void LANED(set_joint)(const armtol_pose_link *link, const double *co
 }
 
 /*
- * The least over rows of tolerance / root of squares is scale / root of the largest weight squares, with weight
- * (scale / tolerance)^2: one root and one division instead of one a row.
+ * The least over rows of tolerance / root of squares is scale / root of the largest weight squares, with
+ * weight (scale / tolerance)^2: one root and one division instead of one a row.
  */
 LANE_INLINE void LANED(least_bound)(const REAL squares[], size_t n_rows, const double weights[], double scale,
                                     double bounds[LANES])
@@ -84,8 +84,8 @@ LANE_INLINE void LANED(finish)(const armtol_poses *poses, const LANED(frame) *la
     }
 }
 
-LANE_INLINE void LANED(poses)(const armtol_poses *poses, const double *const q[LANES], const matrix_view *matrix,
-                              armtol_bounds bounds[LANES])
+LANE_INLINE void LANED(poses)(const armtol_poses *poses, const double *const q[LANES],
+                              const matrix_view *matrix, armtol_bounds bounds[LANES])
 {
     LANED(frame) frame;
     size_t joint = 0;
@@ -108,26 +108,4 @@ LANE_INLINE void LANED(block)(const armtol_poses *poses, const double *const q[B
         const matrix_view matrix = {block + first, BLOCK * poses->n_columns, BLOCK};
         LANED(poses)(poses, q + first, &matrix, bounds + first);
     }
-}
-
-/* ---- one pose alone ---- */
-
-/*
- * As many links as a block has lanes, of which the sines and cosines are given: they are done side by side. Returns
- * the joint values of the links behind.
- */
-LANE_INLINE const double *LANED(walk_some)(const armtol_pose_link links[], size_t n_links, const double q[],
-                                           const double sines[BLOCK], const double cosines[BLOCK],
-                                           const matrix_view *matrix, LANED(frame) *frame)
-{
-    for (size_t i = 0; i < n_links && i < BLOCK; i++) {
-        const armtol_pose_link *const link = &links[i];
-        LANED(setting) setting = {cosines[i], sines[i], link->d};
-        if (link->joint == ARMTOL_PRISMATIC) {
-            setting.d += *q;
-        }
-        LANED(walk_link)(link, &setting, matrix, frame);
-        q += link->joint != ARMTOL_FIXED;
-    }
-    return q;
 }

@@ -4,8 +4,8 @@
 #include "lanes.h"
 
 /*
- * A kernel's parts for one lane whose triples are a vector each: x, y, z and a place that means nothing. LANES is quad,
- * which is 1. See triple_kernel.h, whose routines these are, with the same bits.
+ * A kernel's parts for one lane whose triples are a vector each: x, y, z and a place that means nothing.
+ * LANES is quad, which is 1. See triple_kernel.h, whose routines these are, with the same bits.
  */
 enum { quad = 1, parts_quad = 1 };
 

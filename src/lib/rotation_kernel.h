@@ -9,12 +9,13 @@ LANE_INLINE void LANED(twice_sine)(const LANED(frame) *frame, REAL vector[3])
 }
 
 /*
- * For angles up to 1/4. The angle over its sine is the sum of (2 4 .. 2k) / (3 5 .. (2k + 1)) h^k, h the square of
- * the sine of half the angle, here at most 1/64: what is left out is less than 2e-17.
+ * For angles up to 1/4. The angle over its sine is the sum of (2 4 .. 2k) / (3 5 .. (2k + 1)) h^k, h the
+ * square of the sine of half the angle, here at most 1/64: what is left out is less than 2e-17.
  */
 LANE_INLINE void LANED(small_rotation)(const LANED(frame) *frame, REAL vector[3])
 {
-    static const double ratios[8] = {2.0 / 3, 4.0 / 5, 6.0 / 7, 8.0 / 9, 10.0 / 11, 12.0 / 13, 14.0 / 15, 16.0 / 17};
+    static const double ratios[8] = {2.0 / 3,   4.0 / 5,   6.0 / 7,   8.0 / 9,
+                                     10.0 / 11, 12.0 / 13, 14.0 / 15, 16.0 / 17};
     const REAL zero = {0};
     const REAL h = ((1 - frame->x[0]) + (1 - frame->y[1]) + (1 - frame->z[2])) * 0.25;
     REAL sum = zero + 1;
@@ -86,7 +87,10 @@ LANE_INLINE void LANED(better_quaternion)(REAL *largest, const REAL *part, LANED
     }
 }
 
-/* Four ways to it, each the quaternion times four of one of its parts: the way by the largest part loses nothing. */
+/*
+ * Four ways to it, each the quaternion times four of one of its parts: the way by the largest part loses
+ * nothing.
+ */
 LANE_INLINE void LANED(quaternion_of)(const LANED(frame) *f, LANED(quaternion) *best)
 {
     REAL sine[3];

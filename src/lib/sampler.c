@@ -8,25 +8,31 @@
 #include "splitmix.h"
 
 #define LANES 1
+#include "triple_kernel.h"
 #include "sampler_kernel.h"
 #undef LANES
 #if LANES_ARE_VECTORS
 #define LANES 2
+#include "triple_kernel.h"
 #include "sampler_kernel.h"
 #undef LANES
 #endif
 #if LANES_HAVE_MACHINES
 #define LANES 4
+#include "triple_kernel.h"
 #include "sampler_kernel.h"
 #undef LANES
 #define LANES 8
+#include "triple_kernel.h"
 #include "sampler_kernel.h"
 #undef LANES
 #endif
 
 /* ---- drawing ---- */
 
-/* Every arm is drawn in a whole block of lanes, and so by the same arithmetic whatever is asked for with it. */
+/*
+ * Every arm is drawn in a whole block of lanes, and so by the same arithmetic whatever is asked for with it.
+ */
 LANE_INLINE void draw_blocks(const armtol_sampler *sampler, uint64_t first, size_t count, bool large,
                              double errors[], int lanes)
 {
@@ -41,7 +47,8 @@ LANE_INLINE void draw_blocks(const armtol_sampler *sampler, uint64_t first, size
 }
 
 /* Compiled once for each way to sines: registers are not to be kept free for one that is not taken. */
-LANE_INLINE void draw_all(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[], int lanes)
+LANE_INLINE void draw_all(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[],
+                          int lanes)
 {
     if (sampler->large_errors) {
         draw_blocks(sampler, first, count, true, errors, lanes);
@@ -50,8 +57,8 @@ LANE_INLINE void draw_all(const armtol_sampler *sampler, uint64_t first, size_t 
     }
 }
 
-LANES_MACHINES(draw_all, (const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]), sampler,
-               first, count, errors)
+LANES_MACHINES(draw_all, (const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]),
+               sampler, first, count, errors)
 
 void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[])
 {
@@ -99,8 +106,8 @@ static armtol_status check_tolerances(const double tolerances[], size_t n)
     return ARMTOL_OK;
 }
 
-static armtol_status check(const armtol_link links[], size_t n_links, const double tolerances[], size_t n_columns,
-                           const armtol_tool_point *tool)
+static armtol_status check(const armtol_link links[], size_t n_links, const double tolerances[],
+                           size_t n_columns, const armtol_tool_point *tool)
 {
     const armtol_status status = armtol_links_check(links, n_links);
     if (status != ARMTOL_OK) {
@@ -183,10 +190,13 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
     }
     frame_1 frame = {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}};
     size_t column = 0;
-    for (size_t i = 0; i < n_links; i++) {
-        const armtol_pose_link link = pose_link_of(&links[i], &column);
-        prepared[i] = sampled_link_of(&link, tolerances);
-        cross_meant_link(&link, &frame);
+    for (size_t done = 0; done < n_links;) {
+        armtol_pose_link some[POSE_LINKS];
+        const size_t n = pose_links_of(links + done, n_links - done, &column, some);
+        for (size_t i = 0; i < n; i++) {
+            prepared[done++] = sampled_link_of(&some[i], tolerances);
+            cross_meant_link(&some[i], &frame);
+        }
     }
     const armtol_transform meant = transform_of(&frame);
     *sampler = (armtol_sampler){

@@ -7,8 +7,8 @@
 #include "rotation_kernel.h"
 
 /* The error of one parameter: its share of the tolerance. state is that of the arms' first columns. */
-LANE_INLINE void LANED(draw_error)(const armtol_sampled_link *link, armtol_parameter parameter, const BITS *state,
-                                   REAL *error)
+LANE_INLINE void LANED(draw_error)(const armtol_sampled_link *link, armtol_parameter parameter,
+                                   const BITS *state, REAL *error)
 {
     const BITS own = *state + link->steps[parameter];
     LANED(uniform)(&own, error);
@@ -16,8 +16,8 @@ LANE_INLINE void LANED(draw_error)(const armtol_sampled_link *link, armtol_param
 }
 
 /*
- * |angle| <= 1/128, z = angle^2: (sin / angle - 1) / z and (cos - 1) / z interpolated at the two Chebyshev points of
- * 0 <= z <= 1/128^2, which leaves out less than 5e-20 and 4e-17.
+ * |angle| <= 1/128, z = angle^2: (sin / angle - 1) / z and (cos - 1) / z interpolated at the two Chebyshev
+ * points of 0 <= z <= 1/128^2, which leaves out less than 5e-20 and 4e-17.
  */
 LANE_INLINE void LANED(small_sine_cosine)(const REAL *angle, REAL *sine, REAL *cosine)
 {
@@ -28,7 +28,7 @@ LANE_INLINE void LANED(small_sine_cosine)(const REAL *angle, REAL *sine, REAL *c
 
 /* Turn two axes by an angle with its error. */
 LANE_INLINE void LANED(turn_off)(const armtol_sampled_link *link, armtol_parameter parameter, double cosine,
-                                 double sine, const BITS *state, bool large, REAL first[3], REAL second[3])
+                                 double sine, const BITS *state, bool large, TRIPLE first, TRIPLE second)
 {
     if (!link->off[parameter]) {
         if (sine != 0 || cosine != 1) {
@@ -60,7 +60,8 @@ LANE_INLINE void LANED(length_off)(const armtol_sampled_link *link, armtol_param
     }
 }
 
-LANE_INLINE void LANED(cross_link)(const armtol_sampled_link *link, const BITS *state, bool large, LANED(frame) *f)
+LANE_INLINE void LANED(cross_link)(const armtol_sampled_link *link, const BITS *state, bool large,
+                                   LANED(frame) *f)
 {
     REAL a, d;
     LANED(turn_off)(link, ARMTOL_THETA, link->cos_theta, link->sin_theta, state, large, f->x, f->y);

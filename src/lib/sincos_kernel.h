@@ -1,10 +1,12 @@
 /*
- * A kernel (lanes.h): sine and cosine, within 0.9 units in the last place up to 1e5 and 1.1 up to 1e6; beyond, libm's.
+ * A kernel (lanes.h): sine and cosine, within 0.9 units in the last place up to 1e5 and 1.1 up to 1e6;
+ * beyond, libm's.
  *
- * The angle is brought to |y| <= pi/4 by multiples of pi/2, which is kept in three parts of 33, 33 and 53 bits, so
- * that its products with up to 20 bits are exact (Cody and Waite's way); the tail is what y's rounding left.
- * The polynomials are our own: with z = y^2, (sin y / y - 1) / z and (cos y - 1 + z/2) / z^2 interpolated at the six
- * Chebyshev points of 0 <= z <= (1.001 pi/4)^2. They leave out less than 0.2 and 0.01 half units in the last place.
+ * The angle is brought to |y| <= pi/4 by multiples of pi/2, which is kept in three parts of 33, 33 and 53
+ * bits, so that its products with up to 20 bits are exact (Cody and Waite's way); the tail is what y's
+ * rounding left. The polynomials are our own: with z = y^2, (sin y / y - 1) / z and (cos y - 1 + z/2) / z^2
+ * interpolated at the six Chebyshev points of 0 <= z <= (1.001 pi/4)^2. They leave out less than 0.2 and 0.01
+ * half units in the last place.
  */
 
 LANE_INLINE void LANED(near_sine_cosine)(const REAL *angle, REAL *sine, REAL *cosine)
@@ -18,10 +20,12 @@ LANE_INLINE void LANED(near_sine_cosine)(const REAL *angle, REAL *sine, REAL *co
     const REAL y = t - rest, tail = (t - y) - rest;
     const REAL z = y * y, half = 0.5 * z, most = 1 - half;
 
-    const REAL sine_terms = -0x1.5555555555555p-3 + z * (0x1.1111111110ba5p-7 + z * (-0x1.a01a019e80693p-13 +
-        z * (0x1.71de379252004p-19 + z * (-0x1.ae60069e53ef1p-26 + z * 0x1.5e098556d302ep-33))));
-    const REAL cosine_terms = 0x1.5555555555555p-5 + z * (-0x1.6c16c16c16960p-10 + z * (0x1.a01a019f4d0edp-16 +
-        z * (-0x1.27e4fa15bd814p-22 + z * (0x1.1eeb66b683028p-29 + z * -0x1.907c0e63adbb6p-37))));
+    const REAL sine_terms = -0x1.5555555555555p-3 +
+        z * (0x1.1111111110ba5p-7 + z * (-0x1.a01a019e80693p-13 + z * (0x1.71de379252004p-19 +
+        z * (-0x1.ae60069e53ef1p-26 + z * 0x1.5e098556d302ep-33))));
+    const REAL cosine_terms = 0x1.5555555555555p-5 +
+        z * (-0x1.6c16c16c16960p-10 + z * (0x1.a01a019f4d0edp-16 + z * (-0x1.27e4fa15bd814p-22 +
+        z * (0x1.1eeb66b683028p-29 + z * -0x1.907c0e63adbb6p-37))));
     const REAL s = y + (tail * most + y * z * sine_terms);
     const REAL c = most + ((((1 - most) - half) - y * tail) + z * z * cosine_terms);
 

@@ -3,15 +3,18 @@
 
 #include <stdint.h>
 
-/* The generator splitmix64 (Steele, Lea, Flood 2014): its state goes up in steps, draw n is its state after n + 1. */
+/*
+ * The generator splitmix64 (Steele, Lea, Flood 2014): its state goes up in steps, draw n is its state after n
+ * + 1.
+ */
 #define SPLITMIX_STEP 0x9e3779b97f4a7c15u
 
 /* For single numbers and vectors alike. */
-#define SPLITMIX_MIX(z)                                                                                               \
-    do {                                                                                                              \
-        (z) = ((z) ^ ((z) >> 30)) * 0xbf58476d1ce4e5b9u;                                                              \
-        (z) = ((z) ^ ((z) >> 27)) * 0x94d049bb133111ebu;                                                              \
-        (z) = (z) ^ ((z) >> 31);                                                                                      \
+#define SPLITMIX_MIX(z)                                                                                      \
+    do {                                                                                                     \
+        (z) = ((z) ^ ((z) >> 30)) * 0xbf58476d1ce4e5b9u;                                                     \
+        (z) = ((z) ^ ((z) >> 27)) * 0x94d049bb133111ebu;                                                     \
+        (z) = (z) ^ ((z) >> 31);                                                                             \
     } while (0)
 
 /* The seed is mixed too: the draws of neighbouring seeds would else be each other's, one place on. */

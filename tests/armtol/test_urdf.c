@@ -396,7 +396,8 @@ static void test_the_rest_of_the_file_is_passed_over(void)
               "<gazebo reference='a'><link name='a'/><robot/><joint/></gazebo>"
               "text"
               "<joint name='j' type='revolute'><calibration><origin/><axis/></calibration>" ENDS
-              "<joint name='k' type='none'/><safety_controller k='?'/><origin xyz='0&#9;0&#10;1'><axis xyz='0 0 0'/></origin><axis xyz='0 0 2'/>"
+              "<joint name='k' type='none'/><safety_controller k='?'/>"
+              "<origin xyz='0&#9;0&#10;1'><axis xyz='0 0 0'/></origin><axis xyz='0 0 2'/>"
               "</joint></robot>\n<!-- after -->\n", NULL, NULL, &model);
     TEST_ASSERT_EQUAL(1, model.arm.n_links);
     check_within(1e-15, 1, model.arm.links[0].d, "d");

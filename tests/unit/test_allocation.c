@@ -666,6 +666,17 @@ static void test_poses_that_are_alike(void)
     }
 }
 
+/* The third row is not the tightest of any column, and the first two alone violate it by 1e-10. */
+static void test_a_row_that_is_hardly_violated_counts(void)
+{
+    shape(&given, ARMTOL_WORST_CASE, 60, 2);
+    memset(given.matrix, 0, sizeof given.matrix);
+    given.matrix[0] = given.matrix[3] = 1;
+    given.matrix[80] = given.matrix[81] = 0.5 + 5e-11;
+    solve(&given, &found, "hardly violated");
+    check_within(1e-11, 1, found.multipliers[40], "multiplier");
+}
+
 /* ---- errors ---- */
 
 static void check_refused(armtol_status expected, const char *what)
@@ -719,6 +730,10 @@ static void test_wrong_input_is_refused(void)
         given.matrix[i] = matrix[i] * 1e-290;
     }
     check_refused(ARMTOL_NOT_FINITE, "tolerances that overflow");
+    set(&given, ARMTOL_WORST_CASE, 1, 2, matrix);
+    given.matrix[0] = given.matrix[1] = 1e279;
+    given.weights[1] = 1e-10;
+    check_refused(ARMTOL_NOT_FINITE, "a tolerance that its weight makes underflow");
 }
 
 int main(void)
@@ -745,6 +760,7 @@ int main(void)
     RUN_TEST(test_many_poses);
     RUN_TEST(test_a_large_problem_is_that_of_the_rows_that_bind);
     RUN_TEST(test_poses_that_are_alike);
+    RUN_TEST(test_a_row_that_is_hardly_violated_counts);
     RUN_TEST(test_wrong_input_is_refused);
     return UNITY_END();
 }

@@ -50,7 +50,8 @@ static size_t random_arm(uint64_t seed, size_t n)
 
 static void start(armtol_poses *poses, size_t n_links, const armtol_tool_point *tool)
 {
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_poses_start(poses, prepared, links, n_links, tool, accuracy, delta));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_poses_start(poses, prepared, links, n_links, tool, accuracy,
+                                                        delta));
 }
 
 /* A of the placed links, and the bounds that its rows' norms give. */
@@ -154,8 +155,8 @@ static void test_no_poses_are_no_work(void)
 }
 
 /*
- * One link of length 1: its theta moves the tool by (-sin, cos). long double is what sines are held against; with
- * 1 unit in the last place the kernel's 0.9 passes and nothing worse would.
+ * One link of length 1: its theta moves the tool by (-sin, cos). long double is what sines are held against;
+ * with 1 unit in the last place the kernel's 0.9 passes and nothing worse would.
  */
 static void check_sine(const armtol_poses *poses, double angle, double units)
 {
@@ -224,12 +225,15 @@ static void test_rows_without_entries_set_no_bound(void)
     const double joint = 5;
     armtol_pose(&poses, &joint, matrix, &bounds);
     check_within(1e-15, delta, bounds.distance, "the distance bound");
-    /* theta turns about z: 0.3 allowed; alpha about x: 0.1, and moves y by 5 an unit: no, the tool is on its axis */
+    /*
+     * theta turns about z: 0.3 allowed; alpha about x: 0.1, and moves y by 5 an unit: no, the tool is on its
+     * axis
+     */
     check_within(1e-15, 0.1, bounds.angle, "the angle bound");
 }
 
-static void check_refused(armtol_status status, const armtol_link *link, size_t n, const armtol_tool_point *tool,
-                          const double tolerances[6], double share)
+static void check_refused(armtol_status status, const armtol_link *link, size_t n,
+                          const armtol_tool_point *tool, const double tolerances[6], double share)
 {
     armtol_poses poses = {.n_links = 42};
     TEST_ASSERT_EQUAL_INT(status, armtol_poses_start(&poses, prepared, link, n, tool, tolerances, share));

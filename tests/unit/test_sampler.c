@@ -47,7 +47,8 @@ static size_t start(size_t n_links, const armtol_tool_point *tool, uint64_t seed
 {
     const size_t n = armtol_column_count(links, n_links);
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK,
-                          armtol_sampler_start(&sampler, prepared, links, n_links, tolerances, n, tool, seed));
+                          armtol_sampler_start(&sampler, prepared, links, n_links, tolerances, n, tool,
+                                               seed));
     return n;
 }
 
@@ -113,8 +114,8 @@ static void check_rotation(const double vector[3], armtol_frame frame, double me
     TEST_ASSERT_TRUE(angle <= PI + 1e-12);
 }
 
-static void check_displacement(const double displacement[3], const armtol_tool_point *tool, double meant[4][4],
-                               double is[4][4], double tolerance)
+static void check_displacement(const double displacement[3], const armtol_tool_point *tool,
+                               double meant[4][4], double is[4][4], double tolerance)
 {
     double moved[3], along[3];
     for (int i = 0; i < 3; i++) {
@@ -152,7 +153,8 @@ static void check_arms(size_t n_links, const armtol_tool_point *tool, uint64_t f
 static void check_tolerances_of(double length, double angle)
 {
     for (uint64_t seed = 0; seed < 24; seed++) {
-        const armtol_tool_point tool = {{0.1, -0.2, 0.3}, seed % 2 == 0 ? ARMTOL_BASE_FRAME : ARMTOL_TOOL_FRAME};
+        const armtol_tool_point tool = {{0.1, -0.2, 0.3},
+                                        seed % 2 == 0 ? ARMTOL_BASE_FRAME : ARMTOL_TOOL_FRAME};
         const size_t n_links = 1 + seed % MOST_LINKS;
         random_links(seed, n_links);
         set_tolerances(armtol_column_count(links, n_links), length, angle, n_links);
@@ -295,11 +297,12 @@ static void test_other_seeds_are_other_arms(void)
 
 /* ---- what is refused ---- */
 
-static void check_refused(armtol_status status, size_t n_links, size_t n_columns, const armtol_tool_point *tool)
+static void check_refused(armtol_status status, size_t n_links, size_t n_columns,
+                          const armtol_tool_point *tool)
 {
     sampler.n_links = 42;
-    TEST_ASSERT_EQUAL_INT(status, armtol_sampler_start(&sampler, prepared, links, n_links, tolerances, n_columns,
-                                                       tool, 1));
+    TEST_ASSERT_EQUAL_INT(status, armtol_sampler_start(&sampler, prepared, links, n_links, tolerances,
+                                                       n_columns, tool, 1));
     TEST_ASSERT_EQUAL_INT(42, sampler.n_links);
 }
 

@@ -49,12 +49,16 @@ static armtol_tool_point random_tool(uint64_t seed, armtol_frame frame)
     return tool;
 }
 
-/* The chain with a link more, that puts its frame's origin on the tool point, where an offset is not written so. */
+/*
+ * The chain with a link more, that puts its frame's origin on the tool point, where an offset is not written
+ * so.
+ */
 static size_t with_offset(armtol_link links[], size_t n, const double offset[3])
 {
     /* theta and a lead to x and y, d to z; a second link turns back */
-    links[n] = (armtol_link){.a = hypot(offset[0], offset[1]), .d = offset[2], .theta = atan2(offset[1], offset[0])};
-    links[n + 1] = (armtol_link){.theta = -links[n].theta};
+    const double direction = atan2(offset[1], offset[0]);
+    links[n] = (armtol_link){.a = hypot(offset[0], offset[1]), .d = offset[2], .theta = direction};
+    links[n + 1] = (armtol_link){.theta = -direction};
     return n + 2;
 }
 
