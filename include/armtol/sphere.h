@@ -23,8 +23,8 @@
  * finite or the norm of such a row overflows; ARMTOL_BAD_TOLERANCE for a limit that is not positive;
  * ARMTOL_BAD_DELTA.
  */
-armtol_status armtol_sphere_bounds(const double matrix[], size_t n_columns, const armtol_column columns[],
-                                   const double limits[6], double delta, armtol_bounds *bounds);
+armtol_status armtol_sphere_bounds(const double matrix[], size_t n_poses, size_t n_columns,
+                                   const armtol_column columns[], const double limits[6], double delta, armtol_bounds *bounds);
 
 /*
  * The delta that makes the least tolerance largest, the tolerance of an angle counted as what it moves at the
@@ -37,8 +37,8 @@ armtol_status armtol_sphere_bounds(const double matrix[], size_t n_columns, cons
  * Errors: those of armtol_sphere_bounds, delta apart; ARMTOL_NOT_FINITE also for a lever that is not finite,
  * or where delta underflows; ARMTOL_BAD_WEIGHT for a lever that is not positive.
  */
-armtol_status armtol_sphere_delta(const double matrix[], size_t n_columns, const armtol_column columns[],
-                                  const double limits[6], double lever, double *delta);
+armtol_status armtol_sphere_delta(const double matrix[], size_t n_poses, size_t n_columns,
+                                  const armtol_column columns[], const double limits[6], double lever, double *delta);
 
 /* Every column's tolerance: its share of the bound of its class, infinite where that is. */
 void armtol_sphere_tolerances(const armtol_column columns[], size_t n_columns, const armtol_bounds *bounds,

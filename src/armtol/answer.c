@@ -80,12 +80,12 @@ static armtol_status share_sphere(const request *request, answer *answer)
     armtol_status status = ARMTOL_OK;
     answer->delta = request->delta;
     if (isnan(answer->delta)) {
-        status = armtol_sphere_delta(posed->matrices, n, posed->columns, request->accuracy, parts_lever(posed),
-                                     &answer->delta);
+        status = armtol_sphere_delta(posed->matrices, posed->n_poses, n, posed->columns, request->accuracy,
+                                     parts_lever(posed), &answer->delta);
     }
     if (status == ARMTOL_OK) {
-        status = armtol_sphere_bounds(posed->matrices, n, posed->columns, request->accuracy, answer->delta,
-                                      &answer->bounds);
+        status = armtol_sphere_bounds(posed->matrices, posed->n_poses, n, posed->columns, request->accuracy,
+                                      answer->delta, &answer->bounds);
     }
     if (status == ARMTOL_OK) {
         armtol_sphere_tolerances(posed->columns, n, &answer->bounds, answer->tolerances);

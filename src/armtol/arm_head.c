@@ -170,7 +170,7 @@ static bool take_value(arm_head *head, int key, const cell_row *row, size_t firs
                             : take_text(&head->texts[key], row, first, key_names[key]);
 }
 
-/* A typed text may have separators in it; those at its end are of empty cells. */
+/* A typed text, which does not begin with a separator, may have some in it; those at its end are of empty cells. */
 static void drop_separators(cell_row *row)
 {
     char *text = row->cells[0].text;
@@ -179,7 +179,6 @@ static void drop_separators(cell_row *row)
         length--;
     }
     text[length] = '\0';
-    row->n = length > 0 ? row->n : 0;
 }
 
 /* What is behind a key on its line: cells, a quoted text or a plain one. */

@@ -139,7 +139,7 @@ static char *take_quoted(cursor *cursor)
     move(cursor, cursor->at + 1);
     const bool ends = ends_cell(separator, cursor->at);
     skip_blanks(cursor);
-    if (!ends && (separator == CELLS_BLANKS || !ends_cell(separator, cursor->at))) {
+    if (!ends && !ends_cell(separator, cursor->at)) {
         wrong(cursor, cursor->column, "text behind the quoted cell; expected a separator or the end of the line");
         return NULL;
     }

@@ -117,12 +117,12 @@ static bool step_last_digit(char *text, bool up)
     return true;
 }
 
-/* From this many degrees on, in steps of the 17th digit, up to a text that is taken for these radians. */
+/* The first text beside this many degrees, in steps of the 17th digit, that is taken for these radians. */
 static bool find_neighbour(double degrees, bool up, double radians, number_text *found)
 {
-    enum { FARTHEST = 24 }; /* two neighbouring doubles are 23 units of the 17th digit apart at most */
+    enum { FARTHEST = 12 }; /* half a last digit of a double is 11 units of the 17th digit at most */
     snprintf(found->text, sizeof found->text, "%#.*g", DIGITS, degrees);
-    bool same = degrees_parse(found->text) == radians;
+    bool same = false;
     for (int i = 0; i < FARTHEST && !same && step_last_digit(found->text, up); i++) {
         same = degrees_parse(found->text) == radians;
     }
@@ -138,14 +138,9 @@ const char *degrees_shortest(double radians, number_text *shortest)
             return shortest->text;
         }
     }
-    /* No double of degrees is read as this one, but a decimal number next to the best is; its neighbours are
-       for those beside a power of ten, where the digits before or behind it have another worth. */
-    const double starts[] = {degrees, nextafter(degrees, 0), nextafter(degrees, 2 * degrees)};
-    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
-        if (find_neighbour(starts[i], true, radians, shortest) || find_neighbour(starts[i], false, radians, shortest)) {
-            return shortest->text;
-        }
+    /* No double of degrees is read as this one, but a decimal number next to the best of them is. */
+    if (!find_neighbour(degrees, true, radians, shortest) && !find_neighbour(degrees, false, radians, shortest)) {
+        snprintf(shortest->text, sizeof shortest->text, "%.*g", DIGITS, degrees);
     }
-    snprintf(shortest->text, sizeof shortest->text, "%.*g", DIGITS, degrees);
     return shortest->text;
 }

@@ -80,12 +80,10 @@ static bool has_all_fields(const parameter_reader *reader)
 
 static bool read_link(const parameter_reader *reader, size_t *link)
 {
-    enum { MOST_DIGITS = 9 };
     const size_t place = reader->places[FIELD_LINK], n_links = link_count(reader->table);
     const char *text = reader->row.cells[place].text;
-    const size_t length = strlen(text);
-    const bool whole = length <= MOST_DIGITS && strspn(text, "0123456789") == length;
-    *link = whole ? (size_t)strtoul(text, NULL, 10) : SIZE_MAX;
+    const bool whole = text[strspn(text, "0123456789")] == '\0';
+    *link = whole ? (size_t)strtoul(text, NULL, 10) : SIZE_MAX; /* what is too large for strtoul is its largest */
     if (*link >= n_links) {
         cells_message(&reader->row, place, "link %s: expected a whole number from 0 to %zu, the last link",
                       message_quote(text, &(quoted){""}), n_links - 1);

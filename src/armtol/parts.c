@@ -78,5 +78,5 @@ double parts_lever(const posed_arm *posed)
         }
         longest = fmax(longest, length);
     }
-    return longest;
+    return longest > 0 ? longest : 1;
 }

@@ -20,9 +20,9 @@ double armtol_rss_error(const double matrix[], size_t n_columns, size_t row, con
     double sum = 0;
     for (size_t k = 0; k < n_columns; k++) {
         const double part = elements[k] != 0 ? elements[k] * tolerances[k] : 0;
-        sum = hypot(sum, part);
+        sum += part * part; /* not hypot, whose last bit depends on the machine's libm */
     }
-    return sum;
+    return sqrt(sum);
 }
 
 void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign, const double tolerances[],

@@ -30,7 +30,7 @@ LANE_INLINE void write_quad(const double *value, double *to)
 
 LANE_INLINE void set_triple_quad(double x, double y, double z, triple_quad triple)
 {
-    triple[0] = (real_4){x, y, z, 0};
+    triple[0] = (real_4){x, y, z, z};
 }
 
 LANE_INLINE void get_triple_quad(const triple_quad triple, double components[3])
@@ -73,7 +73,7 @@ LANE_INLINE void along_axes_quad(const triple_quad x, const triple_quad y, const
 {
     real_4 products[3];
     for (int i = 0; i < 3; i++) {
-        products[i] = (real_4){x[0][i], y[0][i], z[0][i], 0} * direction[0][i];
+        products[i] = (real_4){x[0][i], y[0][i], z[0][i], z[0][i]} * direction[0][i];
     }
     direction[0] = products[0] + products[1] + products[2];
 }

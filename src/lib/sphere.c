@@ -5,9 +5,9 @@
 #include <math.h>
 #include <stdbool.h>
 
-/* What the bounds are made of. Rows that are free have norms 0. */
+/* What the bounds are made of. The limits being the same in every pose, only the largest norm of a row counts. */
 typedef struct sphere_rows {
-    double lengths[6]; /* norms of the rows' length columns */
+    double lengths[6]; /* norms of the rows' length columns, 0 for rows that are free */
     double angles[6];
     size_t n_lengths;
     size_t n_angles;
@@ -46,23 +46,33 @@ static armtol_status check_limits(const double limits[6])
     return ARMTOL_OK;
 }
 
-static armtol_status find_rows(const double matrix[], size_t n_columns, const armtol_column columns[],
-                               const double limits[6], sphere_rows *rows)
+/* Raise the norms to those of one pose. */
+static armtol_status raise_norms(const double matrix[], size_t n_columns, const armtol_column columns[],
+                                 const double limits[6], sphere_rows *rows)
 {
-    const armtol_status status = check_limits(limits);
-    if (status != ARMTOL_OK) {
-        return status;
-    }
-    count_classes(columns, n_columns, rows);
     for (size_t i = 0; i < 6; i++) {
         const double *row = matrix + i * n_columns;
-        rows->lengths[i] = isinf(limits[i]) ? 0 : class_norm(row, n_columns, columns, true);
-        rows->angles[i] = isinf(limits[i]) ? 0 : class_norm(row, n_columns, columns, false);
-        if (!isfinite(rows->lengths[i]) || !isfinite(rows->angles[i])) {
+        const double lengths = isinf(limits[i]) ? 0 : class_norm(row, n_columns, columns, true);
+        const double angles = isinf(limits[i]) ? 0 : class_norm(row, n_columns, columns, false);
+        if (!isfinite(lengths) || !isfinite(angles)) {
             return ARMTOL_NOT_FINITE;
         }
+        rows->lengths[i] = fmax(rows->lengths[i], lengths);
+        rows->angles[i] = fmax(rows->angles[i], angles);
     }
     return ARMTOL_OK;
+}
+
+static armtol_status find_rows(const double matrix[], size_t n_poses, size_t n_columns,
+                               const armtol_column columns[], const double limits[6], sphere_rows *rows)
+{
+    armtol_status status = check_limits(limits);
+    *rows = (sphere_rows){{0}, {0}, 0, 0};
+    count_classes(columns, n_columns, rows);
+    for (size_t pose = 0; pose < n_poses && status == ARMTOL_OK; pose++) {
+        status = raise_norms(matrix + pose * 6 * n_columns, n_columns, columns, limits, rows);
+    }
+    return status;
 }
 
 static double largest_linear(const double norms[6])
@@ -100,11 +110,11 @@ static armtol_status check_delta(const sphere_rows *rows, const double limits[6]
     return (delta > 0 || (may_be_zero && delta >= 0)) && delta < smallest ? ARMTOL_OK : ARMTOL_BAD_DELTA;
 }
 
-armtol_status armtol_sphere_bounds(const double matrix[], size_t n_columns, const armtol_column columns[],
-                                   const double limits[6], double delta, armtol_bounds *bounds)
+armtol_status armtol_sphere_bounds(const double matrix[], size_t n_poses, size_t n_columns,
+                                   const armtol_column columns[], const double limits[6], double delta, armtol_bounds *bounds)
 {
     sphere_rows rows;
-    armtol_status status = find_rows(matrix, n_columns, columns, limits, &rows);
+    armtol_status status = find_rows(matrix, n_poses, n_columns, columns, limits, &rows);
     if (status == ARMTOL_OK) {
         status = check_delta(&rows, limits, delta);
     }
@@ -157,8 +167,8 @@ static double best_delta(const sphere_rows *rows, const double limits[6], double
     return fmin(delta, nextafter(smallest_linear(limits), 0));
 }
 
-armtol_status armtol_sphere_delta(const double matrix[], size_t n_columns, const armtol_column columns[],
-                                  const double limits[6], double lever, double *delta)
+armtol_status armtol_sphere_delta(const double matrix[], size_t n_poses, size_t n_columns,
+                                  const armtol_column columns[], const double limits[6], double lever, double *delta)
 {
     if (!isfinite(lever)) {
         return ARMTOL_NOT_FINITE;
@@ -167,7 +177,7 @@ armtol_status armtol_sphere_delta(const double matrix[], size_t n_columns, const
         return ARMTOL_BAD_WEIGHT;
     }
     sphere_rows rows;
-    const armtol_status status = find_rows(matrix, n_columns, columns, limits, &rows);
+    const armtol_status status = find_rows(matrix, n_poses, n_columns, columns, limits, &rows);
     if (status != ARMTOL_OK) {
         return status;
     }

@@ -1,4 +1,4 @@
-/* Draws more arms than anybody can wait for, on two threads; says how many it drew. For test_verification.c. */
+/* Draws more arms than anybody can wait for, on two threads; says how many it drew. */
 
 #include "message.h"
 #include "one_link.h"

@@ -292,6 +292,8 @@ static void test_wrong_keys(void)
     check_refused("1:8: " EXPECTED_UNITS ", as in \"units: mm deg\"", "units: rad\n");
     check_refused("1:7: " EXPECTED_UNITS ", as in \"units: mm deg\"", "units:\n");
     check_refused("1:8: " EXPECTED_UNITS ", as in \"units: mm deg\"", "units: mm deg deg\n");
+    check_refused("1:8: " EXPECTED_UNITS ", as in \"units: mm deg\"", "units: mm deg m\n");
+    check_refused("1:11: unknown unit \"inch\"; " EXPECTED_UNITS, "units;\"mm inch\";deg\n");
 }
 
 static void test_wrong_head_rows(void)
@@ -349,6 +351,18 @@ static void test_wrong_cells(void)
     /* a place is counted in characters, not in bytes */
     check_refused("1:11: a cell too many behind \"title\"; put a text with separators in quotes",
                   "title;\xc3\xa4\xf0\x9f\xa4\x96\xe2\x82\xac;x\n");
+}
+
+static void test_a_number_of_many_digits(void)
+{
+    char text[800];
+    arm_model model;
+    snprintf(text, sizeof text, HEAD "theta,%0500d.5,0,1,2\n", 7);
+    read_table(text, &model);
+    check_same(7.5, model.arm.links[0].a, "a");
+    arm_model_free(&model);
+    snprintf(text, sizeof text, HEAD "theta,%0510d.5,0,1,2\n", 7);
+    check_refused("3:7: a: \"0000000000000000000000000000000000000000...\" is too long", text);
 }
 
 static void test_of_two_mistakes_the_first_is_told(void)
@@ -699,6 +713,7 @@ int main(void)
     RUN_TEST(test_wrong_head_rows);
     RUN_TEST(test_wrong_numbers_of_cells);
     RUN_TEST(test_wrong_cells);
+    RUN_TEST(test_a_number_of_many_digits);
     RUN_TEST(test_of_two_mistakes_the_first_is_told);
     RUN_TEST(test_rows_that_contradict_themselves);
     RUN_TEST(test_quotes_that_are_wrong);

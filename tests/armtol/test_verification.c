@@ -43,7 +43,8 @@ static const tally_limits limits_of_one = {
 static tally counted, other;
 
 /* Arms whose first component has these magnitudes and whose others are 0. */
-static void add(tally *tally, const tally_limits *limits, uint64_t first, size_t count, const double first_component[])
+static void add(tally *tally, const tally_limits *limits, uint64_t first, size_t count,
+                const double first_component[])
 {
     double magnitudes[6 * TALLY_MOST] = {0};
     memcpy(magnitudes, first_component, count * sizeof *magnitudes);
@@ -59,8 +60,9 @@ static void test_quantiles_are_counted(void)
         tenths[i] = 0.1 * (i + 1) - 1e-9;
     }
     add(&counted, &limits_of_one, 0, 10, tenths);
-    check_within(1.0 / TALLY_BINS, 0.5 + 0.5 / TALLY_BINS, tally_quantile(&counted, &limits_of_one, 0, 500), "median");
-    check_within(1.0 / TALLY_BINS, 0.6 + 0.5 / TALLY_BINS, tally_quantile(&counted, &limits_of_one, 0, 501), "50.1 %%");
+    const double bin = 1.0 / TALLY_BINS;
+    check_within(bin, 0.5 + bin / 2, tally_quantile(&counted, &limits_of_one, 0, 500), "median");
+    check_within(bin, 0.6 + bin / 2, tally_quantile(&counted, &limits_of_one, 0, 501), "50.1 %%");
     check_same(tenths[9], tally_quantile(&counted, &limits_of_one, 0, 1000), "all");
     check_same(0, tally_quantile(&counted, &limits_of_one, 1, 500), "a component of zeros");
     TEST_ASSERT_TRUE(tally_quantile(&counted, &limits_of_one, 0, 500) >= tenths[4]);
@@ -117,8 +119,10 @@ static void check_share(double expected, const verification *found, const char *
 {
     const double deviation = sqrt(expected * (1 - expected) / (double)found->drawn);
     check_within(5 * deviation, expected, (double)found->within / (double)found->drawn, "%s", what);
-    TEST_ASSERT_TRUE(found->share_low <= expected + 5 * deviation && found->share_high >= expected - 5 * deviation);
-    TEST_ASSERT_TRUE(found->share_low < found->share_high && found->share_high - found->share_low < 5 * deviation);
+    const double width = found->share_high - found->share_low;
+    TEST_ASSERT_TRUE(found->share_low <= expected + 5 * deviation);
+    TEST_ASSERT_TRUE(found->share_high >= expected - 5 * deviation);
+    TEST_ASSERT_TRUE(width > 0 && width < 5 * deviation);
 }
 
 /* The rotation about z is the error of theta, uniform within 0.004. */
@@ -150,9 +154,10 @@ static double turn_of_arm(const verification_task *task, uint64_t arm)
     armtol_sampled_link prepared[1];
     armtol_sampler sampler;
     double errors[4];
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK,
-                          armtol_sampler_start(&sampler, prepared, task->poses, task->n_links, task->tolerances,
-                                               task->n_columns, &task->tool, task->seed));
+    const armtol_status status =
+        armtol_sampler_start(&sampler, prepared, task->poses, task->n_links, task->tolerances,
+                             task->n_columns, &task->tool, task->seed);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, status);
     armtol_sampler_parameters(&sampler, arm, errors);
     return errors[0];
 }
@@ -173,7 +178,8 @@ static void test_the_worst_arm_can_be_had_again(void)
 /* The sum of two uniform errors is within x of their 2 t with 1 - (1 - x)^2. */
 static void test_two_uniform_errors(void)
 {
-    const armtol_link links[2] = {{ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 300}, {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 200}};
+    const armtol_link links[2] = {{ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 300},
+                                  {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 200}};
     const double tolerances[8] = {[0] = 0.002, [4] = 0.002};
     const double accuracy[6] = {INFINITY, INFINITY, INFINITY, INFINITY, INFINITY, 0.001};
     double matrix[6 * 8];
@@ -189,9 +195,10 @@ static void test_two_uniform_errors(void)
     const verification found = run(&task);
     check_share(1 - 0.75 * 0.75, &found, "of a triangle");
     for (int i = 0; i < 2; i++) {
-        const double x = 1 - sqrt(1 - verification_quantiles[i]), slope = 2 * (1 - x) / 0.004;
-        const double deviation = sqrt(verification_quantiles[i] * (1 - verification_quantiles[i]) / DRAWS) / slope;
-        check_within(5 * deviation + 0.004 / 4096, 0.004 * x, found.components[5].quantiles[i], "quantile %d", i);
+        const double q = verification_quantiles[i], x = 1 - sqrt(1 - q), slope = 2 * (1 - x) / 0.004;
+        const double deviation = sqrt(q * (1 - q) / DRAWS) / slope;
+        const double tolerance = 5 * deviation + 0.004 / 4096;
+        check_within(tolerance, 0.004 * x, found.components[5].quantiles[i], "quantile %d", i);
     }
 }
 
@@ -353,10 +360,12 @@ static verification_task six_axes_task(six_axes *arm, const double accuracy[6])
     for (size_t pose = 0; pose < 2; pose++) {
         armtol_link *placed = arm->poses + pose * n_links;
         const size_t joints = armtol_joint_count(links, n_links);
-        TEST_ASSERT_EQUAL_INT(ARMTOL_OK,
-                              armtol_links_place(links, n_links, q[pose], joints, &armtol_errata_none, placed));
-        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_error_matrix(placed, n_links, &armtol_errata_none,
-                                                             arm->matrices + pose * 6 * n, n));
+        double *matrix = arm->matrices + pose * 6 * n;
+        armtol_status status =
+            armtol_links_place(links, n_links, q[pose], joints, &armtol_errata_none, placed);
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, status);
+        status = armtol_error_matrix(placed, n_links, &armtol_errata_none, matrix, n);
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, status);
     }
     for (size_t k = 0; k < n; k++) {
         arm->tolerances[k] = 1e-3 * (double)(1 + k % 3);
@@ -532,8 +541,8 @@ static void check_interrupted(const process *process)
     unsigned long long drawn = 0, within = 0;
     double worst = 0, median = 0;
     process_check_status(process, 0, "interrupted");
-    const int read = sscanf(process->output.bytes, "drawn %llu, within %llu, worst %lf, median %lf", &drawn, &within,
-                            &worst, &median);
+    const int read = sscanf(process->output.bytes, "drawn %llu, within %llu, worst %lf, median %lf", &drawn,
+                            &within, &worst, &median);
     if (read != 4) {
         fail_with("the interrupted program printed \"%s\"", process->output.bytes);
     }

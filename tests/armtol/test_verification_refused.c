@@ -19,10 +19,12 @@ static int memory_left = MANY, threads_left = MANY;
 typedef void *thread_body(void *context);
 void *__real_malloc(size_t size);
 void *__real_calloc(size_t count, size_t size);
-int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body, void *context);
+int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body,
+                          void *context);
 void *__wrap_malloc(size_t size);
 void *__wrap_calloc(size_t count, size_t size);
-int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body, void *context);
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body,
+                          void *context);
 
 void *__wrap_malloc(size_t size)
 {
@@ -34,7 +36,8 @@ void *__wrap_calloc(size_t count, size_t size)
     return memory_left-- > 0 ? __real_calloc(count, size) : NULL;
 }
 
-int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body, void *context)
+int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body,
+                          void *context)
 {
     return threads_left-- > 0 ? __real_pthread_create(thread, attributes, body, context) : EAGAIN;
 }

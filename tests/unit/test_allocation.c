@@ -467,6 +467,17 @@ static void test_the_optimum_of_large_random_problems(void)
     }
 }
 
+/* Problems in which the solver's long steps alone go in circles. */
+static void test_the_optimum_where_long_steps_do_not_get_there(void)
+{
+    static const uint64_t seeds[] = {98, 1069, 1562, 1571, 2523, 4221};
+    for (size_t i = 0; i < sizeof seeds / sizeof seeds[0]; i++) {
+        random_source source = {seeds[i]};
+        draw(&source, &given, 24, 20);
+        solve(&given, &found, "hard to solve");
+    }
+}
+
 /* Any t is optimal for the weights that it gives multipliers; here with more rows that bind than columns. */
 static void test_more_rows_bind_than_there_are_columns(void)
 {
@@ -751,6 +762,7 @@ int main(void)
     RUN_TEST(test_what_rounding_leaves_of_a_zero_bounds_nothing);
     RUN_TEST(test_the_optimum_of_random_problems);
     RUN_TEST(test_the_optimum_of_large_random_problems);
+    RUN_TEST(test_the_optimum_where_long_steps_do_not_get_there);
     RUN_TEST(test_more_rows_bind_than_there_are_columns);
     RUN_TEST(test_powers_of_two_change_no_bit);
     RUN_TEST(test_the_order_of_rows_and_columns_does_not_matter);

@@ -358,7 +358,7 @@ static void draw_arm(random_source *source, double share_of_slides, arm *arm)
 static void check_random_arms(double share_of_slides, uint64_t seed)
 {
     random_source source = {seed};
-    for (int n = 0; n < 2000; n++) {
+    for (int n = 0; n < 600; n++) {
         arm arm;
         char what[40];
         draw_arm(&source, share_of_slides, &arm);

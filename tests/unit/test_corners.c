@@ -323,8 +323,8 @@ static void test_the_remainder_of_turns_about_near_axes(void)
 }
 
 /*
- * Two links of length 400 folded onto each other, the tool on the first axis: p = 400 e^is (1 - e^it). Of its part
- * across the links A leaves out 400 s^2 t / 2 and less, since errors move the tool off that axis.
+ * Two links of length 400 folded onto each other, the tool on the first axis: p = 400 e^is (1 - e^it). Of its
+ * part across the links A leaves out 400 s^2 t / 2 and less, since errors move the tool off that axis.
  */
 static void test_the_remainder_of_a_folded_arm(void)
 {

@@ -152,10 +152,10 @@ static void check_arms(size_t n_links, const armtol_tool_point *tool, uint64_t f
 /* Arms of every kind of link, about a metre an arm. */
 static void check_tolerances_of(double length, double angle)
 {
-    for (uint64_t seed = 0; seed < 24; seed++) {
+    for (uint64_t seed = 0; seed < MOST_LINKS; seed++) {
         const armtol_tool_point tool = {{0.1, -0.2, 0.3},
                                         seed % 2 == 0 ? ARMTOL_BASE_FRAME : ARMTOL_TOOL_FRAME};
-        const size_t n_links = 1 + seed % MOST_LINKS;
+        const size_t n_links = 1 + seed;
         random_links(seed, n_links);
         set_tolerances(armtol_column_count(links, n_links), length, angle, n_links);
         start(n_links, &tool, seed);

@@ -41,14 +41,14 @@ static const double matrix[30] = {
 static armtol_bounds bounds_for(const double limits[6], double delta)
 {
     armtol_bounds bounds = {0, 0};
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(matrix, 5, columns, limits, delta, &bounds));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(matrix, 1, 5, columns, limits, delta, &bounds));
     return bounds;
 }
 
 static double delta_for(const double limits[6], double lever)
 {
     double delta = -1;
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(matrix, 5, columns, limits, lever, &delta));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(matrix, 1, 5, columns, limits, lever, &delta));
     return delta;
 }
 
@@ -98,7 +98,7 @@ static void test_a_free_row_may_be_anything(void)
     memcpy(spoilt, matrix, sizeof matrix);
     spoilt[5] = NAN;
     spoilt[21] = INFINITY;
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(spoilt, 5, columns, limits, 0.5, &bounds));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(spoilt, 1, 5, columns, limits, 0.5, &bounds));
     check_same(expected.distance, bounds.distance, "distance");
     check_same(expected.angle, bounds.angle, "angle");
 }
@@ -166,7 +166,7 @@ static void test_the_arms_of_1987_have_their_corrected_bounds(void)
         arm arm;
         armtol_bounds bounds;
         place(&cases[i], &armtol_errata_none, 1, &arm);
-        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(arm.matrix, arm.n_columns, arm.columns,
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(arm.matrix, 1, arm.n_columns, arm.columns,
                                                               accuracy, 0.1, &bounds));
         check_printed(cases[i].distance, bounds.distance, "distance, case %d", i);
         check_printed(cases[i].angle, bounds.angle, "angle, case %d", i);
@@ -182,7 +182,7 @@ static void test_the_motion_of_the_body_point_at_the_base(void)
     armtol_errata errata = armtol_errata_none;
     errata.base_twist = true;
     place(&cases[0], &errata, 1, &arm);
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(arm.matrix, arm.n_columns, arm.columns, accuracy,
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(arm.matrix, 1, arm.n_columns, arm.columns, accuracy,
                                                           0.1, &bounds));
     check_printed("0.043073", bounds.distance, "distance");
     check_printed("0.000625", bounds.angle, "angle");
@@ -233,7 +233,7 @@ static double least_tolerance(const arm *arm, const double limits[6], double lev
 {
     armtol_bounds bounds;
     double tolerances[MOST_COLUMNS], least = INFINITY;
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(arm->matrix, arm->n_columns, arm->columns, limits,
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(arm->matrix, 1, arm->n_columns, arm->columns, limits,
                                                           delta, &bounds));
     armtol_sphere_tolerances(arm->columns, arm->n_columns, &bounds, tolerances);
     for (size_t k = 0; k < arm->n_columns; k++) {
@@ -248,7 +248,7 @@ static void check_best(const arm *arm, const double limits[6], double lever, con
 {
     const double smallest = fmin(limits[0], fmin(limits[1], limits[2]));
     double delta;
-    const armtol_status status = armtol_sphere_delta(arm->matrix, arm->n_columns, arm->columns, limits, lever,
+    const armtol_status status = armtol_sphere_delta(arm->matrix, 1, arm->n_columns, arm->columns, limits, lever,
                                                      &delta);
     TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, status, what);
     TEST_ASSERT_TRUE_MESSAGE(delta > 0 && delta < smallest, what);
@@ -307,9 +307,9 @@ static void test_units_do_not_matter(void)
     const double in_metres[6] = {5e-4, 4e-4, 3e-4, 1e-3, 1e-3, 1e-3};
     place(&cases[0], &armtol_errata_none, 1, &millimetres);
     place(&cases[0], &armtol_errata_none, 1e-3, &metres);
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(millimetres.matrix, millimetres.n_columns,
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(millimetres.matrix, 1, millimetres.n_columns,
                                                          millimetres.columns, limits, 800, &one));
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(metres.matrix, metres.n_columns, metres.columns,
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(metres.matrix, 1, metres.n_columns, metres.columns,
                                                          in_metres, 0.8, &other));
     check_within(1e-13 * one, one, 1000 * other, "delta");
 }
@@ -323,9 +323,9 @@ static void test_without_lengths_all_is_left_to_the_angles(void)
     const double limits[6] = {1, 1, 1, 1, 1, 1};
     double delta = -1, tolerances[2];
     armtol_bounds bounds;
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(two, 2, angles, limits, 1, &delta));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(two, 1, 2, angles, limits, 1, &delta));
     check_same(0, delta, "delta");
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 2, angles, limits, delta, &bounds));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 1, 2, angles, limits, delta, &bounds));
     check_within(1e-16, 0.2, bounds.angle, "angle");
     TEST_ASSERT_TRUE(isinf(bounds.distance));
     armtol_sphere_tolerances(angles, 2, &bounds, tolerances);
@@ -339,10 +339,10 @@ static void test_without_angles_all_is_left_to_the_lengths(void)
     const double limits[6] = {1, 0.5, INFINITY, 1, 1, 1};
     double delta = -1;
     armtol_bounds bounds;
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(two, 2, lengths, limits, 1, &delta));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(two, 1, 2, lengths, limits, 1, &delta));
     TEST_ASSERT_TRUE(delta < 0.5);
     check_within(1e-15, 0.5, delta, "delta");
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 2, lengths, limits, delta, &bounds));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 1, 2, lengths, limits, delta, &bounds));
     check_within(1e-15, 0.1, bounds.distance, "distance");
     TEST_ASSERT_TRUE(isinf(bounds.angle));
 }
@@ -354,7 +354,7 @@ static void test_a_near_row_that_angles_do_not_move(void)
     static const double two[12] = {1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0, 1};
     const double limits[6] = {100, 1, INFINITY, INFINITY, INFINITY, INFINITY};
     double delta = -1;
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(two, 2, both, limits, 1, &delta));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(two, 1, 2, both, limits, 1, &delta));
     TEST_ASSERT_TRUE(delta < 1);
     check_within(1e-15, 1, delta, "delta");
 }
@@ -365,7 +365,7 @@ static void check_refused(armtol_status expected, const double elements[], const
                           double delta, const char *what)
 {
     armtol_bounds bounds = {42, 42};
-    const armtol_status status = armtol_sphere_bounds(elements, 5, columns, limits, delta, &bounds);
+    const armtol_status status = armtol_sphere_bounds(elements, 1, 5, columns, limits, delta, &bounds);
     TEST_ASSERT_EQUAL_INT_MESSAGE(expected, status, what);
     check_same(42, bounds.distance, "%s: distance", what);
     check_same(42, bounds.angle, "%s: angle", what);
@@ -375,7 +375,7 @@ static void check_delta_refused(armtol_status expected, const double elements[],
                                 double lever, const char *what)
 {
     double delta = 42;
-    const armtol_status status = armtol_sphere_delta(elements, 5, columns, limits, lever, &delta);
+    const armtol_status status = armtol_sphere_delta(elements, 1, 5, columns, limits, lever, &delta);
     TEST_ASSERT_EQUAL_INT_MESSAGE(expected, status, what);
     check_same(42, delta, "%s: delta", what);
 }
@@ -441,6 +441,32 @@ static void test_a_delta_that_underflows_is_told(void)
     check_delta_refused(ARMTOL_NOT_FINITE, matrix, limits, 1e-100, "short lever");
 }
 
+/* ---- several poses ---- */
+
+/* The bounds of two poses are the least of each; delta is the best one for both, found again by trying. */
+static void test_several_poses_have_the_least_bounds_and_one_delta(void)
+{
+    const double two[2 * 6 * 2] = {1, 100, 2, 300, 1, 50, 0, 1, 0, 1, 0, 1, 4, 20, 1, 700, 2, 40, 0, 2, 0, 1, 0, 3};
+    const armtol_column both[2] = {{0, ARMTOL_D}, {0, ARMTOL_THETA}};
+    const double limits[6] = {.5, .6, .7, .02, .02, .02}, lever = 400;
+    armtol_bounds first, second, together, tried;
+    double delta, best = 0;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 1, 2, both, limits, .2, &first));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two + 12, 1, 2, both, limits, .2, &second));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 2, 2, both, limits, .2, &together));
+    check_same(fmin(first.distance, second.distance), together.distance, "distance");
+    check_same(fmin(first.angle, second.angle), together.angle, "angle");
+    TEST_ASSERT_TRUE(second.distance < first.distance && first.angle > second.angle);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(two, 2, 2, both, limits, lever, &delta));
+    for (int i = 1; i < 500; i++) {
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 2, 2, both, limits, i * .001, &tried));
+        best = fmax(best, fmin(tried.distance, lever * tried.angle));
+    }
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_bounds(two, 2, 2, both, limits, delta, &tried));
+    const double reached = fmin(tried.distance, lever * tried.angle);
+    TEST_ASSERT_TRUE(reached >= best && reached < best * 1.02);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -463,5 +489,6 @@ int main(void)
     RUN_TEST(test_elements_and_norms_that_are_not_finite_are_told);
     RUN_TEST(test_wrong_levers_are_refused);
     RUN_TEST(test_a_delta_that_underflows_is_told);
+    RUN_TEST(test_several_poses_have_the_least_bounds_and_one_delta);
     return UNITY_END();
 }

@@ -13,7 +13,7 @@ typedef struct drawn_arm {
     size_t n_columns;
 } drawn_arm;
 
-/* Where the tool is with these errors of the parameters, less where it should be: armtol_tool_error, along the base. */
+/* Where the tool is with these errors, less where it should be: armtol_tool_error, along the base's axes. */
 void drawn_arm_error(const drawn_arm *arm, const double errors[], double error[6]);
 
 #endif

@@ -12,8 +12,8 @@
  * |a, d| of all links + S. For the second derivative of the tool point by two parameters, j before k in the
  * chain, is no longer than the tool point's distance from axis k (two angles) or than 1 (an angle and, after
  * it, a length), and 0 where j is a length; Taylor's remainder is half the sum of all over both orders.
- * armtol_remainder (corners.h) is sharper; this one can be had from a drawing of the arm by hand, and is sharp
- * enough for what it has to show.
+ * armtol_remainder (corners.h) is sharper; this one can be had from a drawing of the arm by hand, and is
+ * sharp enough for what it has to show.
  */
 double guarantee_remainder(const drawn_arm *arm, const double tolerances[]);
 
