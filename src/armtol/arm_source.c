@@ -9,13 +9,20 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The first character that is neither white space nor of a byte order mark; the stream is then at its start again. */
+/* White space, and what a byte order mark or a text in UTF-16 has about its letters. */
+static bool comes_before(int c)
+{
+    return c == '\0' || strchr(" \t\r\n\xef\xbb\xbf\xfe\xff", c) != NULL;
+}
+
+/* The first character of the text, if it is near the beginning; the stream is then at its start again. */
 static int first_character(FILE *stream)
 {
-    int c;
-    do {
+    enum { NEAR = 4096 };
+    int c = getc(stream);
+    for (int i = 0; i < NEAR && c != EOF && comes_before(c); i++) {
         c = getc(stream);
-    } while (c != EOF && strchr(" \t\r\n\xef\xbb\xbf", c) != NULL);
+    }
     rewind(stream);
     return c;
 }

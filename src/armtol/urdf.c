@@ -19,6 +19,7 @@ static bool make_arm(const urdf_tree *tree, const char *base, const char *tip, a
 bool urdf_read(FILE *stream, const char *path, const char *base, const char *tip, arm_model *model)
 {
     urdf_tree tree;
+    *model = (arm_model){.arm = {.name = NULL}};
     urdf_tree_start(&tree, path);
     const bool fine =
         urdf_parse(stream, &tree) && urdf_tree_connect(&tree) && make_arm(&tree, base, tip, model);

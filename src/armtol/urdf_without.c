@@ -7,7 +7,7 @@ bool urdf_read(FILE *stream, const char *path, const char *base, const char *tip
     (void)stream;
     (void)base;
     (void)tip;
-    (void)model;
+    *model = (arm_model){.arm = {.name = NULL}};
     message("%s is a URDF, and this armtol was built without expat, which reads them; install expat with its "
             "headers (package libexpat1-dev, expat-devel or expat) and build armtol again",
             path);
