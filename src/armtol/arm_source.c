@@ -27,6 +27,24 @@ static int first_character(FILE *stream)
     return c;
 }
 
+/* What is kept of a pipe, which cannot be wound back, so that it can; NULL, with errno, where that fails. */
+static FILE *copy_of(FILE *pipe)
+{
+    char block[4096];
+    size_t n;
+    FILE *copy = tmpfile();
+    while (copy != NULL && (n = fread(block, 1, sizeof block, pipe)) > 0) {
+        if (fwrite(block, 1, n, copy) < n) {
+            fclose(copy);
+            return NULL;
+        }
+    }
+    if (copy != NULL) {
+        rewind(copy);
+    }
+    return copy;
+}
+
 static bool read_file(FILE *stream, const cli_options *options, arm_model *model)
 {
     if (first_character(stream) == '<') {
@@ -39,6 +57,13 @@ static bool read_file(FILE *stream, const cli_options *options, arm_model *model
     return arm_file_read(stream, options->arm, model);
 }
 
+static int read_and_close(FILE *stream, const cli_options *options, arm_model *model)
+{
+    const bool fine = read_file(stream, options, model);
+    fclose(stream);
+    return fine ? EXIT_OK : EXIT_WRONG;
+}
+
 static int open_and_read(const cli_options *options, arm_model *model)
 {
     FILE *stream = fopen(options->arm, "rb");
@@ -48,9 +73,16 @@ static int open_and_read(const cli_options *options, arm_model *model)
                 strerror(errno));
         return EXIT_WRONG;
     }
-    const bool fine = read_file(stream, options, model);
+    if (fseek(stream, 0, SEEK_SET) == 0) {
+        return read_and_close(stream, options, model);
+    }
+    FILE *copy = copy_of(stream);
     fclose(stream);
-    return fine ? EXIT_OK : EXIT_WRONG;
+    if (copy == NULL) {
+        message("%s: cannot be copied: %s", options->arm, strerror(errno));
+        return EXIT_FAILED;
+    }
+    return read_and_close(copy, options, model);
 }
 
 int arm_source_read(const cli_options *options, arm_model *model)

@@ -99,11 +99,10 @@ static void fill_component(const findings *findings, size_t i, table_row *row)
 {
     const request *request = findings->request;
     const predicted *component = &findings->answer->components[i];
-    const double accuracy = request->wished ? request->accuracy[i] : (double)INFINITY;
-    if (isfinite(accuracy)) {
-        table_set(row, 1, "%.6g", findings_shown(findings, i, accuracy));
-    } else {
+    if (request->wished && isinf(request->accuracy[i])) {
         table_set(row, 1, "free");
+    } else {
+        set_number(row, 1, request->wished ? findings_shown(findings, i, request->accuracy[i]) : (double)NAN);
     }
     set_number(row, 2, findings_shown(findings, i, component->worst));
     set_number(row, 3, findings_shown(findings, i, request->options->sigma * component->deviation));
