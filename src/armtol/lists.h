@@ -26,6 +26,8 @@ typedef struct parameter_table {
     size_t n_columns;
     const char *value; /* the name of the column that is wanted: tolerance, weight */
     bool all;          /* every parameter has to have a value; else what has none stays as it was */
+    const char *length_unit; /* what a column `unit`, where there is one, has to say of lengths, and of angles; */
+    const char *angle_unit;  /* NULL where values have no units */
 } parameter_table;
 
 /*

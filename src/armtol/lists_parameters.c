@@ -21,6 +21,7 @@ typedef struct parameter_reader {
     cell_row row;
     const char *names[FIELDS];
     size_t places[FIELDS]; /* of the wanted columns */
+    size_t unit_place;     /* of the column `unit`; beyond every row where there is none */
 } parameter_reader;
 
 /* ---- the head row ---- */
@@ -55,6 +56,9 @@ static bool read_head(parameter_reader *reader)
     bool fine = result == LINE_THERE;
     for (int field = 0; fine && field < FIELDS; field++) {
         fine = find_field(reader, field);
+    }
+    for (size_t i = 0; i < reader->row.n; i++) {
+        reader->unit_place = cell_is(&reader->row.cells[i], "unit") ? i : reader->unit_place;
     }
     return fine;
 }
@@ -146,10 +150,26 @@ static bool read_value(const parameter_reader *reader, double *value)
     return true;
 }
 
+/* A table made in other units than it is read in would be wrong without a word. */
+static bool check_unit(const parameter_reader *reader, size_t column)
+{
+    const parameter_table *table = reader->table;
+    const bool is_length = armtol_parameter_is_length(table->columns[column].parameter);
+    const char *expected = is_length ? table->length_unit : table->angle_unit;
+    const size_t place = reader->unit_place;
+    if (expected == NULL || place >= reader->row.n || cell_is(&reader->row.cells[place], expected)) {
+        return true;
+    }
+    cells_message(&reader->row, place, "unit %s; expected %s, as on the command line",
+                  message_quote(reader->row.cells[place].text, &(quoted){""}), expected);
+    return false;
+}
+
 static bool take_row(parameter_reader *reader)
 {
     size_t link, column;
-    if (!has_all_fields(reader) || !read_link(reader, &link) || !find_column(reader, link, &column)) {
+    if (!has_all_fields(reader) || !read_link(reader, &link) || !find_column(reader, link, &column) ||
+        !check_unit(reader, column)) {
         return false;
     }
     if (reader->lines[column] > 0) {
@@ -210,6 +230,7 @@ bool parameters_read(FILE *stream, const char *path, const parameter_table *tabl
         .table = table, .infinite_allowed = infinite_allowed, .values = values,
         .names = {"link", "parameter", table->value},
         .lines = calloc(table->n_columns + 1, sizeof *reader.lines),
+        .unit_place = SIZE_MAX,
     };
     if (reader.lines == NULL) {
         message("out of memory");

@@ -185,7 +185,13 @@ static bool read_tolerances(request *request)
 {
     const posed_arm *posed = &request->posed;
     const char *path = request->options->tolerances;
-    const parameter_table table = {posed->arm->links, posed->columns, posed->n_columns, "tolerance", true};
+    const parameter_table table = {.links = posed->arm->links,
+                                   .columns = posed->columns,
+                                   .n_columns = posed->n_columns,
+                                   .value = "tolerance",
+                                   .all = true,
+                                   .length_unit = units_name(&request->units, true),
+                                   .angle_unit = units_name(&request->units, false)};
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
         message("--tolerances: %s: %s", path, strerror(errno));

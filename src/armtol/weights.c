@@ -132,7 +132,10 @@ static bool take_list(const char *text, const posed_arm *posed, double weights[]
 
 static bool take_table(const char *path, const posed_arm *posed, double weights[])
 {
-    const parameter_table table = {posed->arm->links, posed->columns, posed->n_columns, "weight", false};
+    const parameter_table table = {.links = posed->arm->links,
+                                   .columns = posed->columns,
+                                   .n_columns = posed->n_columns,
+                                   .value = "weight"};
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
         message("--weights: %s: %s; expected NAME=NUMBER,... or a file", path, strerror(errno));

@@ -118,7 +118,7 @@ static armtol_column columns[COLUMNS];
 
 static bool read_parameters(const char *bytes, size_t length, bool all, bool infinite, double values[], said *said)
 {
-    const parameter_table table = {links, columns, COLUMNS, "tolerance", all};
+    const parameter_table table = {links, columns, COLUMNS, "tolerance", all, "mm", "rad"};
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_columns(links, 2, columns, COLUMNS));
     FILE *stream = stream_of(bytes, length);
     said_begin();
@@ -188,6 +188,8 @@ static void test_wrong_rows_of_parameters(void)
                              HEAD "0,beta,1\n");
     check_parameters_refused("3:3: link 1, of kind ppr, has no parameter \"gamma\"; expected theta, a, alpha, beta",
                              HEAD "0,a,1\n1,gamma,1\n");
+    check_parameters_refused("2:9: unit \"deg\"; expected rad, as on the command line",
+                             "link,parameter,unit,tolerance\n0,alpha,deg,1\n");
     check_parameters_refused("4:1: d of link 0 a second time; the first is in line 2", HEAD "0,d,1\n\n0,d,1\n");
     check_parameters_refused("2:5: tolerance: \"0\" is not greater than zero", HEAD "0,d,0\n");
     check_parameters_refused("2:5: tolerance: \"-2\" is not greater than zero", HEAD "0,d,-2\n");
