@@ -1,4 +1,5 @@
 #include "armtol/allocation.h"
+#include "armtol/arm.h"
 #include "armtol/error_matrix.h"
 #include "armtol/robots.h"
 
@@ -254,6 +255,37 @@ static void test_the_arms_of_1987(void)
     compare_robot(&armtol_adept_one, adept[1], "Adept, case 2");
 }
 
+/* At joint values within the limits that are known. */
+static void compare_arm(random_source *source, const armtol_arm *arm)
+{
+    armtol_link links[MOST_LINKS];
+    double q[MOST_LINKS];
+    size_t n_joints = 0;
+    TEST_ASSERT_TRUE(arm->n_links <= MOST_LINKS);
+    for (size_t i = 0; i < arm->n_links; i++) {
+        if (arm->links[i].joint != ARMTOL_FIXED) {
+            const armtol_drive *drive = &arm->drives[i];
+            q[n_joints++] = random_between(source, fmax(drive->low, -3), fmin(drive->high, 300));
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(arm->links, arm->n_links, q, n_joints, &armtol_errata_none,
+                                                        links));
+    given.n_rows = 0;
+    add_pose(&given, links, arm->n_links);
+    random_weights(source, &given);
+    compare(&given, arm->name);
+}
+
+static void test_every_built_in_arm(void)
+{
+    random_source source = {1987};
+    for (size_t i = 0; i < armtol_arm_count(); i++) {
+        for (int pose = 0; pose < 3; pose++) {
+            compare_arm(&source, armtol_arm_at(i));
+        }
+    }
+}
+
 static void draw_arm(random_source *source, armtol_link links[], size_t n_links)
 {
     for (size_t i = 0; i < n_links; i++) {
@@ -298,6 +330,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_the_arms_of_1987);
+    RUN_TEST(test_every_built_in_arm);
     RUN_TEST(test_random_arms_in_one_pose_or_several);
     return UNITY_END();
 }
