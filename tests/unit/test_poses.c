@@ -155,8 +155,7 @@ static void test_no_poses_are_no_work(void)
 }
 
 /*
- * One link of length 1: its theta moves the tool by (-sin, cos). long double is what sines are held against;
- * with 1 unit in the last place the kernel's 0.9 passes and nothing worse would.
+ * One link of length 1: its theta moves the tool by (-sin, cos), which are held against those of long double.
  */
 static void check_sine(const armtol_poses *poses, double angle, double units)
 {
@@ -178,11 +177,11 @@ static void test_sines_and_cosines_are_within_a_unit_in_the_last_place(void)
     links[0] = (armtol_link){.joint = ARMTOL_REVOLUTE, .a = 1};
     start(&poses, 1, &armtol_tool_origin);
     for (int n = 0; n < 20000; n++) {
-        check_sine(&poses, random_between(&source, -4, 4), 1);
-        check_sine(&poses, random_between(&source, -1e5, 1e5), 1);
-        check_sine(&poses, ldexp(random_between(&source, -1, 1), -n % 60), 1);
+        check_sine(&poses, random_between(&source, -4, 4), 0.9);
+        check_sine(&poses, random_between(&source, -1e5, 1e5), 0.9);
+        check_sine(&poses, ldexp(random_between(&source, -1, 1), -n % 60), 0.9);
         /* next to multiples of a quarter turn there is least left */
-        check_sine(&poses, floor(random_between(&source, 1, 6e4)) * 1.57079632679489661923, 1);
+        check_sine(&poses, floor(random_between(&source, 1, 6e4)) * 1.57079632679489661923, 0.9);
     }
 }
 
@@ -193,8 +192,8 @@ static void test_joint_values_of_any_size(void)
     links[0] = (armtol_link){.joint = ARMTOL_REVOLUTE, .a = 1};
     start(&poses, 1, &armtol_tool_origin);
     for (int n = 0; n < 1000; n++) {
-        check_sine(&poses, random_between(&source, -1e6, 1e6), 1.5);
-        check_sine(&poses, random_between(&source, -1e9, 1e9), 1.5);
+        check_sine(&poses, random_between(&source, -1e6, 1e6), 1.1);
+        check_sine(&poses, random_between(&source, -1e9, 1e9), 1.1);
         q[n % MOST_POSES] = random_between(&source, -4e6, 4e6);
     }
     check_blocks(&poses, MOST_POSES, blocks);
