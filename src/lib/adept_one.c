@@ -3,6 +3,7 @@
 #include "arithmetic.h"
 #include "arms/arms.h"
 #include "finite.h"
+#include "trigonometry.h"
 
 #include <math.h>
 #include <string.h>
@@ -51,7 +52,7 @@ static void forward(const double q[], const armtol_errata *errata, double wish[]
     for (int i = 0; i < 3; i++) {
         wish[i] = tool.m[i][3];
     }
-    wish[3] = store(errata, atan2(tool.m[1][0], tool.m[0][0]));
+    wish[3] = store(errata, angle_of(errata, tool.m[1][0], tool.m[0][0]));
 }
 
 /* The elbow by the law of cosines; q2 = pi - acos(c) lies between 0 and pi. */
@@ -63,15 +64,16 @@ static armtol_status inverse(const double wish[], const armtol_errata *errata, d
     if (!all_finite(wish, WISH)) {
         return ARMTOL_NOT_FINITE;
     }
-    *reach = (armtol_reach){hypot(x, y), fabs(INNER_LINK - OUTER_LINK), INNER_LINK + OUTER_LINK};
+    *reach = (armtol_reach){length_of(x, y), fabs(INNER_LINK - OUTER_LINK), INNER_LINK + OUTER_LINK};
     const double c = store(errata, (INNER_LINK * INNER_LINK + OUTER_LINK * OUTER_LINK - x * x - y * y) /
                                        (2 * INNER_LINK * OUTER_LINK));
     if (!(fabs(c) <= 1)) {
         return ARMTOL_OUT_OF_REACH;
     }
-    solved[1] = store(errata, pi_of(errata) - acos(c));
-    solved[0] = store(errata, atan2(y, x) - atan2(OUTER_LINK * sin(solved[1]),
-                                                  INNER_LINK + OUTER_LINK * cos(solved[1])));
+    solved[1] = store(errata, pi_of(errata) - arc_cosine_of(errata, c));
+    const double elbow_x = INNER_LINK + OUTER_LINK * cosine_of(errata, solved[1]);
+    const double elbow_y = OUTER_LINK * sine_of(errata, solved[1]);
+    solved[0] = store(errata, angle_of(errata, y, x) - angle_of(errata, elbow_y, elbow_x));
     solved[2] = store(errata, theta - solved[0] - solved[1]);
     solved[3] = store(errata, z - BASE_HEIGHT);
     if (!all_finite(solved, JOINTS)) {

@@ -3,6 +3,7 @@
 #include "armtol/link_transform.h"
 #include "armtol/transform.h"
 #include "finite.h"
+#include "trigonometry.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -44,7 +45,7 @@ static armtol_kind kind_of(armtol_joint joint, bool parallel)
 
 armtol_kind armtol_kind_of(armtol_joint joint, double alpha)
 {
-    return kind_of(joint, fabs(sin(alpha)) <= sine_of_a_degree);
+    return kind_of(joint, fabs(sine_of(&armtol_errata_none, alpha)) <= sine_of_a_degree);
 }
 
 /* In (-pi, pi], and a multiple of a quarter turn where it is one but for rounding. */
@@ -117,7 +118,7 @@ static line seen_from(const armtol_transform *frame, const line *in_base)
 static armtol_link across(const given *given, armtol_joint joint, const line *to)
 {
     const double *const p = to->point, *const u = to->direction;
-    const double sine = hypot(u[0], u[1]);
+    const double sine = length_of(u[0], u[1]);
     const double away = (u[0] * p[1] - u[1] * p[0]) / sine; /* along the cross product of z and u */
     const double foot = -(p[0] * u[0] + p[1] * u[1]) / (sine * sine); /* on the line, counted from p */
     const double a = clean_length(given, fabs(away));
@@ -125,10 +126,10 @@ static armtol_link across(const given *given, armtol_joint joint, const line *to
     return (armtol_link){
         .kind = kind_of(joint, false),
         .joint = joint,
-        .theta = clean_angle(atan2(sense * u[0], -sense * u[1])),
+        .theta = clean_angle(angle_of(&armtol_errata_none, sense * u[0], -sense * u[1])),
         .d = clean_length(given, p[2] + foot * u[2]),
         .a = a,
-        .alpha = clean_angle(atan2(sense * sine, u[2])),
+        .alpha = clean_angle(angle_of(&armtol_errata_none, sense * sine, u[2])),
     };
 }
 
@@ -138,11 +139,11 @@ static armtol_link along(const given *given, armtol_joint joint, const line *to,
     const double *const p = to->point, *const u = to->direction;
     const double x = p[0] + u[0] * (d - p[2]) / u[2], y = p[1] + u[1] * (d - p[2]) / u[2];
     armtol_link link = {.kind = kind_of(joint, true), .joint = joint, .d = clean_length(given, d)};
-    link.a = clean_length(given, hypot(x, y));
-    link.theta = link.a > 0 ? clean_angle(atan2(y, x)) : 0;
-    const double c = cos(link.theta), s = sin(link.theta);
-    link.beta = clean_angle(asin(c * u[0] + s * u[1]));
-    link.alpha = clean_angle(atan2(s * u[0] - c * u[1], u[2]));
+    link.a = clean_length(given, length_of(x, y));
+    link.theta = link.a > 0 ? clean_angle(angle_of(&armtol_errata_none, y, x)) : 0;
+    const double c = cosine_of(&armtol_errata_none, link.theta), s = sine_of(&armtol_errata_none, link.theta);
+    link.beta = clean_angle(arc_sine_of(&armtol_errata_none, c * u[0] + s * u[1]));
+    link.alpha = clean_angle(angle_of(&armtol_errata_none, s * u[0] - c * u[1], u[2]));
     return link;
 }
 
@@ -159,7 +160,7 @@ static armtol_link link_to(const given *given, const chain *chain, armtol_joint 
     if (joint == ARMTOL_PRISMATIC) {
         to.point[0] = to.point[1] = 0; /* the slide's line goes through it, but for rounding */
     }
-    if (hypot(to.direction[0], to.direction[1]) > sine_of_a_degree) {
+    if (length_of(to.direction[0], to.direction[1]) > sine_of_a_degree) {
         return across(given, joint, &to);
     }
     armtol_link link = along(given, joint, &to, joint == ARMTOL_PRISMATIC ? to.point[2] : 0);
@@ -202,7 +203,7 @@ static armtol_link rest_behind(const given *given, const chain *chain, const arm
     const armtol_transform rest = armtol_transform_product(&back, given->tool, &armtol_errata_none);
     return (armtol_link){
         .kind = ARMTOL_NPR,
-        .theta = clean_angle(atan2(rest.m[1][0], rest.m[0][0])),
+        .theta = clean_angle(angle_of(&armtol_errata_none, rest.m[1][0], rest.m[0][0])),
         .d = clean_length(given, rest.m[2][3]),
     };
 }

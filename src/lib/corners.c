@@ -20,7 +20,7 @@ double armtol_rss_error(const double matrix[], size_t n_columns, size_t row, con
     double sum = 0;
     for (size_t k = 0; k < n_columns; k++) {
         const double part = elements[k] != 0 ? elements[k] * tolerances[k] : 0;
-        sum += part * part; /* not hypot, whose last bit depends on the machine's libm */
+        sum += part * part;
     }
     return sqrt(sum);
 }
@@ -91,7 +91,7 @@ typedef struct column {
 
 static double length_of(const double vector[3])
 {
-    return hypot(hypot(vector[0], vector[1]), vector[2]);
+    return sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
 }
 
 static column column_of(const double matrix[], size_t n_columns, size_t k)
@@ -141,6 +141,17 @@ static void linear_remainder(const double matrix[], size_t n_columns, const doub
     }
 }
 
+/* For 0 <= x < 3, to the last digits: libm's exp is not the same on every machine. */
+static double exponential(double x)
+{
+    enum { TERMS = 32 };
+    double sum = 1;
+    for (int n = TERMS; n > 0; n--) {
+        sum = 1 + x * sum / n;
+    }
+    return sum;
+}
+
 static void angular_remainder(const double matrix[], size_t n_columns, const double tolerances[],
                               double remainder[3])
 {
@@ -159,9 +170,9 @@ static void angular_remainder(const double matrix[], size_t n_columns, const dou
         r += angle * before * before;
         before += angle;
     }
-    const double c = before * (0.5 + before / (pi * pi)), e = exp(c) * (0.5 + c / 3);
+    const double c = before * (0.5 + before / (pi * pi)), e = exponential(c) * (0.5 + c / 3);
     for (size_t i = 0; i < 3; i++) {
-        remainder[i] = before < pi ? fmin(q[i] / 2 + r / 6 + c * p * (1 + e) / 3, p * e) : INFINITY;
+        remainder[i] = before < pi ? fmin(q[i] / 2 + r / 6 + c * p * (1 + e) / 3, p * e) : (double)INFINITY;
     }
 }
 
@@ -183,5 +194,8 @@ void armtol_remainder(const double matrix[], size_t n_columns, const double tole
     if (bounded) {
         linear_remainder(matrix, n_columns, tolerances, remainder);
         angular_remainder(matrix, n_columns, tolerances, remainder + 3);
+    }
+    for (size_t i = 0; i < 6; i++) {
+        remainder[i] = remainder[i] <= DBL_MAX ? remainder[i] : (double)INFINITY; /* nan: squares overflow */
     }
 }

@@ -3,18 +3,19 @@
 #include "armtol/transform.h"
 #include "arithmetic.h"
 #include "rows.h"
-
-#include <math.h>
+#include "trigonometry.h"
 
 armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q, const armtol_errata *errata)
 {
     const double alpha = store(errata, link->alpha);
     const double theta = link->joint == ARMTOL_REVOLUTE ? store(errata, link->theta + q) : link->theta;
     const double d = link->joint == ARMTOL_PRISMATIC ? store(errata, link->d + q) : link->d;
+    const double ct = cosine_of(errata, theta), st = sine_of(errata, theta);
+    const double ca = cosine_of(errata, alpha), sa = sine_of(errata, alpha);
     const double rows[3][4] = {
-        {cos(theta), -sin(theta), 0, link->a},
-        {sin(theta) * cos(alpha), cos(theta) * cos(alpha), -sin(alpha), -sin(alpha) * d},
-        {sin(theta) * sin(alpha), cos(theta) * sin(alpha), cos(alpha), cos(alpha) * d},
+        {ct, -st, 0, link->a},
+        {st * ca, ct * ca, -sa, -sa * d},
+        {st * sa, ct * sa, ca, ca * d},
     };
     return transform_of_rows(rows, errata);
 }

@@ -2,14 +2,15 @@
 
 #include "arithmetic.h"
 #include "rows.h"
+#include "trigonometry.h"
 
 #include <math.h>
 
 armtol_transform armtol_pose_to_transform(const double pose[6], const armtol_errata *errata)
 {
-    const double cg = cos(pose[3]), sg = sin(pose[3]);
-    const double cb = cos(pose[4]), sb = sin(pose[4]);
-    const double ca = cos(pose[5]), sa = sin(pose[5]);
+    const double cg = cosine_of(errata, pose[3]), sg = sine_of(errata, pose[3]);
+    const double cb = cosine_of(errata, pose[4]), sb = sine_of(errata, pose[4]);
+    const double ca = cosine_of(errata, pose[5]), sa = sine_of(errata, pose[5]);
     const double rows[3][4] = {
         {ca * cb, ca * sb * sg - sa * cg, ca * sb * cg + sa * sg, pose[0]},
         {sa * cb, sa * sb * sg + ca * cg, sa * sb * cg - ca * sg, pose[1]},
@@ -24,7 +25,7 @@ void armtol_transform_to_pose(const armtol_transform *transform, const armtol_er
     for (int i = 0; i < 3; i++) {
         pose[i] = t[i][3];
     }
-    pose[3] = store(errata, atan2(t[2][1], t[2][2]));
-    pose[4] = store(errata, atan2(-t[2][0], sqrt(t[0][0] * t[0][0] + t[1][0] * t[1][0])));
-    pose[5] = store(errata, atan2(t[1][0], t[0][0]));
+    pose[3] = store(errata, angle_of(errata, t[2][1], t[2][2]));
+    pose[4] = store(errata, angle_of(errata, -t[2][0], sqrt(t[0][0] * t[0][0] + t[1][0] * t[1][0])));
+    pose[5] = store(errata, angle_of(errata, t[1][0], t[0][0]));
 }

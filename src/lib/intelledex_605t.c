@@ -6,6 +6,7 @@
 #include "arithmetic.h"
 #include "arms/arms.h"
 #include "finite.h"
+#include "trigonometry.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -51,7 +52,7 @@ enum { CRAIG_BASE, CRAIG_TOOL = 6, CRAIG_LINKS };
 static void craig_links_of(const armtol_errata *errata, armtol_craig_link links[CRAIG_LINKS])
 {
     const double quarter = pi_of(errata) / 2;
-    const armtol_craig_link table[CRAIG_LINKS] = {
+    const armtol_craig_link rows[CRAIG_LINKS] = {
         {ARMTOL_FIXED, .d = BASE_HEIGHT},
         {ARMTOL_REVOLUTE},
         {ARMTOL_REVOLUTE, .alpha = -quarter},
@@ -60,7 +61,7 @@ static void craig_links_of(const armtol_errata *errata, armtol_craig_link links[
         {ARMTOL_REVOLUTE, .a = FOREARM},
         {ARMTOL_REVOLUTE, .alpha = quarter, .d = TOOL_LENGTH},
     };
-    memcpy(links, table, sizeof table);
+    memcpy(links, rows, sizeof rows);
 }
 
 static void forward(const double q[], const armtol_errata *errata, double wish[])
@@ -78,14 +79,14 @@ static armtol_reach reach_of(const double wish[])
     const double x = tool.m[0][3] - TOOL_LENGTH * tool.m[0][2];
     const double y = tool.m[1][3] - TOOL_LENGTH * tool.m[1][2];
     const double z = tool.m[2][3] - TOOL_LENGTH * tool.m[2][2] - BASE_HEIGHT;
-    return (armtol_reach){hypot(hypot(x, y), z), fabs(UPPER_ARM - FOREARM), UPPER_ARM + FOREARM};
+    return (armtol_reach){length_of(length_of(x, y), z), fabs(UPPER_ARM - FOREARM), UPPER_ARM + FOREARM};
 }
 
 /* Joint 6 turns the tool about its axis until the axis of joint 5 is square to the shoulder's direction. */
 static armtol_status solve_q6(const armtol_transform *t06, const armtol_errata *errata, double *q6)
 {
     const armtol_transform t60 = armtol_transform_inverse(t06, errata);
-    if (hypot(t60.m[0][3], t60.m[1][3]) < SINGULAR_OFFSET) {
+    if (length_of(t60.m[0][3], t60.m[1][3]) < SINGULAR_OFFSET) {
         return ARMTOL_SINGULAR;
     }
     return armtol_solve(t60.m[1][3], t60.m[0][3], 0, 0, errata, q6);
@@ -100,8 +101,8 @@ static armtol_status solve_q1_q2(const armtol_transform *t05, const armtol_errat
     } else if (status != ARMTOL_OK) {
         return status;
     }
-    const double horizontal = cos(q[0]) * t05->m[0][2] + sin(q[0]) * t05->m[1][2];
-    q[1] = store(errata, atan2(horizontal, t05->m[2][2]));
+    const double horizontal = cosine_of(errata, q[0]) * t05->m[0][2] + sine_of(errata, q[0]) * t05->m[1][2];
+    q[1] = store(errata, angle_of(errata, horizontal, t05->m[2][2]));
     return ARMTOL_OK;
 }
 
@@ -109,25 +110,28 @@ static armtol_status solve_q1_q2(const armtol_transform *t05, const armtol_errat
 static armtol_status solve_q3_q4_q5(const armtol_transform *t06, const armtol_transform *t05,
                                     const armtol_errata *errata, double q[])
 {
-    const double c1 = cos(q[0]), s1 = sin(q[0]), c2 = cos(q[1]), s2 = sin(q[1]);
+    const double c1 = cosine_of(errata, q[0]), s1 = sine_of(errata, q[0]);
+    const double c2 = cosine_of(errata, q[1]), s2 = sine_of(errata, q[1]);
     const double(*x5)[4] = t05->m;
     const double x = t06->m[0][3], y = t06->m[1][3], z = t06->m[2][3];
 
-    const double q345 = store(errata, atan2(-s1 * x5[0][0] + c1 * x5[1][0],
-                                            c1 * c2 * x5[0][0] + s1 * c2 * x5[1][0] - s2 * x5[2][0]));
+    const double q345 = store(errata, angle_of(errata, -s1 * x5[0][0] + c1 * x5[1][0],
+                                               c1 * c2 * x5[0][0] + s1 * c2 * x5[1][0] - s2 * x5[2][0]));
+    const double c345 = cosine_of(errata, q345), s345 = sine_of(errata, q345);
     /* the wrist from the shoulder */
-    const double px = store(errata, c1 * c2 * x + s1 * c2 * y - s2 * z - TOOL_LENGTH * sin(q345));
-    const double py = store(errata, -s1 * x + c1 * y + TOOL_LENGTH * cos(q345));
+    const double px = store(errata, c1 * c2 * x + s1 * c2 * y - s2 * z - TOOL_LENGTH * s345);
+    const double py = store(errata, -s1 * x + c1 * y + TOOL_LENGTH * c345);
     /* the shoulder from the wrist, in frame 5 */
-    const double qx = store(errata, -(cos(q345) * px + sin(q345) * py));
-    const double qy = store(errata, sin(q345) * px - cos(q345) * py);
+    const double qx = store(errata, -(c345 * px + s345 * py));
+    const double qy = store(errata, s345 * px - c345 * py);
     const double d = (UPPER_ARM * UPPER_ARM - FOREARM * FOREARM - qx * qx - qy * qy) / (2 * FOREARM);
     const armtol_status status = armtol_solve(qx, -qy, d, 0, errata, &q[4]);
     if (status != ARMTOL_OK) {
         return status;
     }
     const double q34 = store(errata, q345 - q[4]);
-    q[2] = store(errata, atan2(py - FOREARM * sin(q34), px - FOREARM * cos(q34)));
+    const double x4 = FOREARM * cosine_of(errata, q34), y4 = FOREARM * sine_of(errata, q34);
+    q[2] = store(errata, angle_of(errata, py - y4, px - x4));
     q[3] = store(errata, q345 - q[2] - q[4]);
     return ARMTOL_OK;
 }

@@ -1,6 +1,7 @@
 #ifndef ARMTOL_LIB_LANES_H
 #define ARMTOL_LIB_LANES_H
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -43,11 +44,16 @@ enum { parts_1 = 3 };
 #ifdef __GNUC__
 #define LANE_INLINE static inline __attribute__((always_inline, unused))
 #define RARELY(condition) __builtin_expect((condition), 0)
-#define LANES_ARE_VECTORS 1
 
 #else
 #define LANE_INLINE static inline
 #define RARELY(condition) (condition)
+#endif
+
+/* What computes in long double (x87, 68881) has no vectors, nor may a long double be put into one. */
+#if defined(__GNUC__) && (FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1)
+#define LANES_ARE_VECTORS 1
+#else
 #define LANES_ARE_VECTORS 0
 #endif
 
@@ -71,8 +77,8 @@ LANE_INLINE void write_1(const real_1 *value, double *to)
 }
 
 #define LANES_OF_WIDTH(n)                                                                                    \
-    typedef double real_##n __attribute__((vector_size(8 * n)));                                             \
-    typedef uint64_t bits_##n __attribute__((vector_size(8 * n)));                                           \
+    typedef double real_##n __attribute__((vector_size(8 * (n))));                                           \
+    typedef uint64_t bits_##n __attribute__((vector_size(8 * (n))));                                         \
     typedef real_##n part_##n, triple_##n[3];                                                                \
     enum { parts_##n = 3 };                                                                                  \
     LANE_INLINE void less_##n(const real_##n *one, const real_##n *other, bits_##n *mask)                    \

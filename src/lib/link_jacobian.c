@@ -1,8 +1,7 @@
 #include "armtol/link_jacobian.h"
 
 #include "arithmetic.h"
-
-#include <math.h>
+#include "trigonometry.h"
 
 /* What the columns are made of. */
 typedef struct ingredients {
@@ -30,10 +29,10 @@ static ingredients ingredients_of(const armtol_link *link, const armtol_errata *
     /* Erratum `beta-sign`: the columns turn by -beta while the link transform turns by +beta. */
     const double sense = errata->beta_sign ? -1.0 : 1.0;
     return (ingredients){
-        .ca = store(errata, cos(link->alpha)),
-        .sa = store(errata, sin(link->alpha)),
-        .cb = store(errata, cos(link->beta)),
-        .sb = sense * store(errata, sin(link->beta)),
+        .ca = store(errata, cosine_of(errata, link->alpha)),
+        .sa = store(errata, sine_of(errata, link->alpha)),
+        .cb = store(errata, cosine_of(errata, link->beta)),
+        .sb = sense * store(errata, sine_of(errata, link->beta)),
         .unit_y = sense,
         .lever = lever_of(link, errata),
     };

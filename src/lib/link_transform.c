@@ -3,14 +3,16 @@
 #include "armtol/transform.h"
 #include "arithmetic.h"
 #include "rows.h"
-
-#include <math.h>
+#include "trigonometry.h"
 
 armtol_transform armtol_link_transform(const armtol_link *link, const armtol_errata *errata)
 {
-    const double ca = store(errata, cos(link->alpha)), sa = store(errata, sin(link->alpha));
-    const double ct = store(errata, cos(link->theta)), st = store(errata, sin(link->theta));
-    const double cb = store(errata, cos(link->beta)), sb = store(errata, sin(link->beta));
+    const double ca = store(errata, cosine_of(errata, link->alpha));
+    const double sa = store(errata, sine_of(errata, link->alpha));
+    const double ct = store(errata, cosine_of(errata, link->theta));
+    const double st = store(errata, sine_of(errata, link->theta));
+    const double cb = store(errata, cosine_of(errata, link->beta));
+    const double sb = store(errata, sine_of(errata, link->beta));
     /* Erratum `mtransf-typo`: row 1, column 2 repeats the sine of row 0. */
     const double turn = errata->mtransf_typo ? st : ct;
     const double rows[3][4] = {

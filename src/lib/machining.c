@@ -1,6 +1,7 @@
 #include "armtol/machining.h"
 
 #include "arithmetic.h"
+#include "trigonometry.h"
 
 #include <math.h>
 
@@ -46,7 +47,7 @@ double armtol_machining_distance(const armtol_link *link, double share, const ar
 
 double armtol_distance_tolerance(double a, double d, double a_tolerance, double d_tolerance)
 {
-    const double before = hypot(a, d), after = hypot(fabs(a) + a_tolerance, fabs(d) + d_tolerance);
+    const double before = length_of(a, d), after = length_of(fabs(a) + a_tolerance, fabs(d) + d_tolerance);
     if (!isfinite(after) || after == 0) {
         return after;
     }

@@ -46,8 +46,8 @@ LANE_INLINE void LANED(least_bound)(const REAL squares[], size_t n_rows, const d
     }
     largest += sum * 0; /* a comparison passes nan over, a sum does not */
     LANED(take_root)(&largest);
-    const REAL least = scale / largest;
-    LANED(write)(&least, bounds);
+    const REAL radius = scale / largest;
+    LANED(write)(&radius, bounds);
 }
 
 LANE_INLINE void LANED(finish_links)(const armtol_poses *poses, const matrix_view *matrix,

@@ -67,9 +67,9 @@ void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t c
 
 static double uniform_of(uint64_t key, uint64_t number)
 {
-    const uint64_t state = key + SPLITMIX_STEP * (number + 1);
+    uint64_t state = key + SPLITMIX_STEP * (number + 1);
     double draw;
-    uniform_1(&state, &draw);
+    uniform_1(1, &state, &draw);
     return draw;
 }
 
@@ -80,13 +80,15 @@ double armtol_sampler_uniform(uint64_t seed, uint64_t number)
 
 void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, double parameter_errors[])
 {
+    for (size_t k = 0; k < sampler->n_columns; k++) {
+        parameter_errors[k] = 0;
+    }
     for (size_t i = 0; i < sampler->n_links; i++) {
         const armtol_sampled_link *const link = &sampler->links[i];
-        for (size_t k = 0; k < ARMTOL_PARAMETER_COUNT; k++) {
-            if (link->columns[k] != NO_COLUMN) {
-                const uint64_t number = arm * sampler->n_columns + link->columns[k];
-                parameter_errors[link->columns[k]] = link->tolerances[k] * uniform_of(sampler->key, number);
-            }
+        for (size_t k = 0; k < link->n_drawn; k++) {
+            const size_t column = link->columns[k];
+            const double draw = uniform_of(sampler->key, arm * sampler->n_columns + column);
+            parameter_errors[column] = link->tolerances[k] * draw;
         }
     }
 }
@@ -133,10 +135,14 @@ static armtol_sampled_link sampled_link_of(const armtol_pose_link *link, const d
     };
     for (size_t i = 0; i < ARMTOL_PARAMETER_COUNT; i++) {
         const size_t column = link->columns[i];
-        sampled.columns[i] = column;
-        sampled.tolerances[i] = column == NO_COLUMN ? 0 : tolerances[column];
-        sampled.off[i] = sampled.tolerances[i] > 0;
-        sampled.steps[i] = SPLITMIX_STEP * (uint64_t)column;
+        if (column != NO_COLUMN && tolerances[column] > 0) {
+            const size_t k = sampled.n_drawn++;
+            sampled.off[i] = true;
+            sampled.drawn[k] = (armtol_parameter)i;
+            sampled.tolerances[k] = tolerances[column];
+            sampled.columns[k] = column;
+            sampled.steps[k] = SPLITMIX_STEP * (uint64_t)column;
+        }
     }
     return sampled;
 }
@@ -169,11 +175,11 @@ static void measure(armtol_sampler *sampler)
 {
     double sum = 0;
     for (size_t i = 0; i < sampler->n_links; i++) {
-        for (size_t k = 0; k < ARMTOL_PARAMETER_COUNT; k++) {
-            if (!armtol_parameter_is_length((armtol_parameter)k)) {
-                const double tolerance = sampler->links[i].tolerances[k];
-                sampler->large_errors = sampler->large_errors || tolerance > SMALL_ERROR;
-                sum += tolerance;
+        const armtol_sampled_link *const link = &sampler->links[i];
+        for (size_t k = 0; k < link->n_drawn; k++) {
+            if (!armtol_parameter_is_length(link->drawn[k])) {
+                sampler->large_errors = sampler->large_errors || link->tolerances[k] > SMALL_ERROR;
+                sum += link->tolerances[k];
             }
         }
     }

@@ -6,13 +6,33 @@
 #include "draw_kernel.h"
 #include "rotation_kernel.h"
 
-/* The error of one parameter: its share of the tolerance. state is that of the arms' first columns. */
-LANE_INLINE void LANED(draw_error)(const armtol_sampled_link *link, armtol_parameter parameter,
-                                   const BITS *state, REAL *error)
+/*
+ * The errors of so many parameters of a link, each a share of its tolerance. All are drawn step by step together:
+ * one alone is a long chain of operations that wait for each other. state is that of the arms' first columns.
+ */
+LANE_INLINE void LANED(draw_some)(const armtol_sampled_link *link, size_t n, const BITS *state,
+                                  REAL errors[ARMTOL_PARAMETER_COUNT])
 {
-    const BITS own = *state + link->steps[parameter];
-    LANED(uniform)(&own, error);
-    *error = *error * link->tolerances[parameter];
+    BITS bits[ARMTOL_PARAMETER_COUNT];
+    REAL draws[ARMTOL_PARAMETER_COUNT];
+    for (size_t k = 0; k < n; k++) {
+        bits[k] = *state + link->steps[k];
+    }
+    LANED(uniform)(n, bits, draws);
+    for (size_t k = 0; k < n; k++) {
+        errors[link->drawn[k]] = draws[k] * link->tolerances[k];
+    }
+}
+
+/* Those of a link, most of which have four. What is not drawn is left as it was. */
+LANE_INLINE void LANED(draw_errors)(const armtol_sampled_link *link, const BITS *state,
+                                    REAL errors[ARMTOL_PARAMETER_COUNT])
+{
+    if (link->n_drawn == 4) {
+        LANED(draw_some)(link, 4, state, errors);
+    } else {
+        LANED(draw_some)(link, link->n_drawn, state, errors);
+    }
 }
 
 /*
@@ -26,50 +46,62 @@ LANE_INLINE void LANED(small_sine_cosine)(const REAL *angle, REAL *sine, REAL *c
     *cosine = 1 + z * (-0x1.fffffffffd27dp-2 + z * 0x1.555527d28p-5);
 }
 
-/* Turn two axes by an angle with its error. */
-LANE_INLINE void LANED(turn_off)(const armtol_sampled_link *link, armtol_parameter parameter, double cosine,
-                                 double sine, const BITS *state, bool large, TRIPLE first, TRIPLE second)
+/* The cosine and sine of an angle with its error. */
+LANE_INLINE void LANED(angle_off)(const armtol_sampled_link *link, armtol_parameter parameter, double cosine,
+                                  double sine, const REAL errors[ARMTOL_PARAMETER_COUNT], bool large,
+                                  REAL *off_cosine, REAL *off_sine)
 {
     if (!link->off[parameter]) {
-        if (sine != 0 || cosine != 1) {
-            LANED(turn_all)(first, second, cosine, sine);
-        }
         return;
     }
-    REAL error, error_sine, error_cosine;
-    LANED(draw_error)(link, parameter, state, &error);
+    REAL error_sine, error_cosine;
     if (large) {
-        LANED(sine_cosine)(&error, &error_sine, &error_cosine);
+        LANED(sine_cosine)(&errors[parameter], &error_sine, &error_cosine);
     } else {
-        LANED(small_sine_cosine)(&error, &error_sine, &error_cosine);
+        LANED(small_sine_cosine)(&errors[parameter], &error_sine, &error_cosine);
     }
-    const REAL off_cosine = error_cosine * cosine - error_sine * sine;
-    const REAL off_sine = error_cosine * sine + error_sine * cosine;
-    LANED(turn)(first, second, &off_cosine, &off_sine);
+    *off_cosine = error_cosine * cosine - error_sine * sine;
+    *off_sine = error_cosine * sine + error_sine * cosine;
+}
+
+/* Turn two axes by it; where it has no error, by what it is meant to be. */
+LANE_INLINE void LANED(turn_off)(const armtol_sampled_link *link, armtol_parameter parameter, double cosine,
+                                 double sine, const REAL *off_cosine, const REAL *off_sine, TRIPLE first,
+                                 TRIPLE second)
+{
+    if (link->off[parameter]) {
+        LANED(turn)(first, second, off_cosine, off_sine);
+    } else if (sine != 0 || cosine != 1) {
+        LANED(turn_all)(first, second, cosine, sine);
+    }
 }
 
 LANE_INLINE void LANED(length_off)(const armtol_sampled_link *link, armtol_parameter parameter, double length,
-                                   const BITS *state, REAL *off)
+                                   const REAL errors[ARMTOL_PARAMETER_COUNT], REAL *off)
 {
     const REAL zero = {0};
     *off = zero + length;
     if (link->off[parameter]) {
-        REAL error;
-        LANED(draw_error)(link, parameter, state, &error);
-        *off += error;
+        *off += errors[parameter];
     }
 }
 
 LANE_INLINE void LANED(cross_link)(const armtol_sampled_link *link, const BITS *state, bool large,
                                    LANED(frame) *f)
 {
-    REAL a, d;
-    LANED(turn_off)(link, ARMTOL_THETA, link->cos_theta, link->sin_theta, state, large, f->x, f->y);
-    LANED(length_off)(link, ARMTOL_A, link->a, state, &a);
-    LANED(length_off)(link, ARMTOL_D, link->d, state, &d);
+    const armtol_sampled_link *const l = link;
+    const REAL zero = {0};
+    REAL errors[ARMTOL_PARAMETER_COUNT], cosines[3] = {zero, zero, zero}, sines[3] = {zero, zero, zero}, a, d;
+    LANED(draw_errors)(l, state, errors);
+    LANED(angle_off)(l, ARMTOL_THETA, l->cos_theta, l->sin_theta, errors, large, &cosines[0], &sines[0]);
+    LANED(angle_off)(l, ARMTOL_ALPHA, l->cos_alpha, l->sin_alpha, errors, large, &cosines[1], &sines[1]);
+    LANED(angle_off)(l, ARMTOL_BETA, l->cos_beta, l->sin_beta, errors, large, &cosines[2], &sines[2]);
+    LANED(length_off)(l, ARMTOL_A, l->a, errors, &a);
+    LANED(length_off)(l, ARMTOL_D, l->d, errors, &d);
+    LANED(turn_off)(l, ARMTOL_THETA, l->cos_theta, l->sin_theta, &cosines[0], &sines[0], f->x, f->y);
     LANED(advance)(f, &a, &d);
-    LANED(turn_off)(link, ARMTOL_ALPHA, link->cos_alpha, link->sin_alpha, state, large, f->y, f->z);
-    LANED(turn_off)(link, ARMTOL_BETA, link->cos_beta, link->sin_beta, state, large, f->z, f->x);
+    LANED(turn_off)(l, ARMTOL_ALPHA, l->cos_alpha, l->sin_alpha, &cosines[1], &sines[1], f->y, f->z);
+    LANED(turn_off)(l, ARMTOL_BETA, l->cos_beta, l->sin_beta, &cosines[2], &sines[2], f->z, f->x);
 }
 
 /* What an error is along the base's axes that is given along the tool's. */

@@ -1,6 +1,7 @@
 #include "armtol/solve.h"
 
 #include "arithmetic.h"
+#include "trigonometry.h"
 
 #include <math.h>
 
@@ -14,7 +15,7 @@ armtol_status armtol_solve(double px, double py, double d, double close, const a
         if (px == 0 && py == 0) {
             return ARMTOL_SINGULAR;
         }
-        *theta = store(errata, atan2(px, -py));
+        *theta = store(errata, angle_of(errata, px, -py));
         return ARMTOL_OK;
     }
     const double square = py * py + px * px - d * d;
@@ -22,8 +23,8 @@ armtol_status armtol_solve(double px, double py, double d, double close, const a
         return ARMTOL_OUT_OF_REACH;
     }
     const double s = store(errata, sqrt(square));
-    const double first = store(errata, atan2(px, -py) - atan2(d, s));
-    const double second = store(errata, atan2(px, -py) - atan2(d, -s));
+    const double first = store(errata, angle_of(errata, px, -py) - angle_of(errata, d, s));
+    const double second = store(errata, angle_of(errata, px, -py) - angle_of(errata, d, -s));
     *theta = fabs(second - close) < fabs(first - close) ? second : first;
     return ARMTOL_OK;
 }

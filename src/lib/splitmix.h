@@ -9,19 +9,16 @@
  */
 #define SPLITMIX_STEP 0x9e3779b97f4a7c15u
 
-/* For single numbers and vectors alike. */
-#define SPLITMIX_MIX(z)                                                                                      \
-    do {                                                                                                     \
-        (z) = ((z) ^ ((z) >> 30)) * 0xbf58476d1ce4e5b9u;                                                     \
-        (z) = ((z) ^ ((z) >> 27)) * 0x94d049bb133111ebu;                                                     \
-        (z) = (z) ^ ((z) >> 31);                                                                             \
-    } while (0)
+/* How a state is mixed, in three steps; for single numbers and vectors alike. */
+#define SPLITMIX_FIRST(z) (((z) ^ ((z) >> 30)) * 0xbf58476d1ce4e5b9u)
+#define SPLITMIX_SECOND(z) (((z) ^ ((z) >> 27)) * 0x94d049bb133111ebu)
+#define SPLITMIX_LAST(z) ((z) ^ ((z) >> 31))
 
 /* The seed is mixed too: the draws of neighbouring seeds would else be each other's, one place on. */
 static inline uint64_t splitmix_key(uint64_t seed)
 {
-    SPLITMIX_MIX(seed);
-    return seed;
+    const uint64_t first = SPLITMIX_FIRST(seed), second = SPLITMIX_SECOND(first);
+    return SPLITMIX_LAST(second);
 }
 
 #endif

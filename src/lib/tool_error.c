@@ -3,6 +3,7 @@
 #include "armtol/error_matrix.h"
 #include "armtol/link_transform.h"
 #include "armtol/transform.h"
+#include "trigonometry.h"
 
 #include <math.h>
 
@@ -104,7 +105,7 @@ static void rotation_vector(double r[3][3], double vector[3])
 {
     const double w = half_turn(r, vector);
     const double length = sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
-    const double factor = length > 0 ? 2 * atan2(length, w) / length : 2 / w;
+    const double factor = length > 0 ? 2 * angle_of(&armtol_errata_none, length, w) / length : 2 / w;
     for (int i = 0; i < 3; i++) {
         vector[i] *= factor;
     }

@@ -1,8 +1,8 @@
 #include "armtol/twist_transform.h"
 
 #include "arithmetic.h"
+#include "trigonometry.h"
 
-#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -29,7 +29,7 @@ armtol_residue armtol_skew_residue(const armtol_link links[], size_t n_links, co
     }
     const armtol_link *tool = &links[n_links - 1];
     return (armtol_residue){
-        {upper_word(tool->alpha), store(errata, sin(tool->alpha)), upper_word(tool->a)},
+        {upper_word(tool->alpha), store(errata, sine_of(errata, tool->alpha)), upper_word(tool->a)},
     };
 }
 
