@@ -15,7 +15,8 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
-.PHONY: all run test golden diff era book book-check install clean setup
+.PHONY: analyse coverage mutants
+.PHONY: all run test golden diff era machines book book-check check-faults install clean setup
 
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
@@ -30,19 +31,42 @@ test: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
 	$(call quietly,$(COMPILE),compile)
 	@ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error
 
-# Writes what the programs print today over golden/1987 and golden/corrected; say in the commit why each
-# line changed. The published numbers are never written.
+# Writes what the programs print today over golden/1987, golden/corrected and golden/armtol; say in the commit
+# why each line changed. The published numbers are never written.
 golden: all
 	@$(BUILD)/reproduce --quiet $(BUILD) $(PUBLISHED) golden
+	@tests/machines/answers $(BUILD)/armtol golden/armtol golden/armtol
 
 diff: all
 	@$(BUILD)/reproduce --quiet $(BUILD) $(PUBLISHED) $(BUILD)/run
+	@rm -rf $(BUILD)/run/armtol && tests/machines/answers $(BUILD)/armtol golden/armtol $(BUILD)/run/armtol
 	@diff -ru golden/1987 $(BUILD)/run/1987 && diff -ru golden/corrected $(BUILD)/run/corrected && \
-	echo "no difference from golden/"
+	diff -ru golden/armtol $(BUILD)/run/armtol && echo "no difference from golden/"
 
 # The legacy programs on an emulated 68020, nothing modelled. Needs Debian's cross compiler and qemu-user.
 era: all
 	@legacy/era $(BUILD)/reproduce golden $(BUILD)/era
+
+# The programs on emulated machines of other kinds (MACHINES=aarch64 for one of them): the bytes of golden/. Needs
+# Debian's cross compilers and qemu-user.
+machines:
+	@.ci/setup cmake x86_64-linux-gnu-gcc i686-linux-gnu-gcc aarch64-linux-gnu-gcc riscv64-linux-gnu-gcc \
+	    s390x-linux-gnu-gcc m68k-linux-gnu-gcc qemu-x86_64 qemu-i386 qemu-aarch64 qemu-riscv64 qemu-s390x qemu-m68k
+	@tests/machines/machines $(BUILD)/machines $(MACHINES)
+
+# Memory, disks, system calls, signals and limits failing at every place where they can. Part of `make test` too.
+check-faults: setup $(BUILD)/wished-expat $(BUILD)/wished-valgrind
+	$(call quietly,$(CONFIGURE) -DBUILD_TESTING=ON,configure)
+	$(call quietly,$(COMPILE),compile)
+	@ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error --tests-regex '^fault_'
+	@tests/faults/summary $(BUILD)/Testing/Temporary/LastTest.log
+
+# How fast the library is, beside loops written by hand: compiled for this machine, then as it comes.
+bench: setup
+	$(call quietly,$(CONFIGURE),configure)
+	$(call quietly,$(COMPILE) --target armtol_bench armtol_bench_any,compile)
+	@$(BUILD)/armtol_bench
+	@$(BUILD)/armtol_bench_any
 
 # The lab book: its tables and figures made anew (figures where gnuplot is), or held against the programs.
 book: all
@@ -51,6 +75,23 @@ book: all
 book-check: all
 	@docs/lab-book/make-book --check $(BUILD)
 	@docs/lab-book/check-numbers
+
+# Which lines and branches the tests run. Needs gcc and gcovr.
+coverage: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
+	@.ci/setup gcovr
+	@JOBS=$(JOBS) CMAKE_FLAGS="$(CMAKE_FLAGS)" tests/trust/coverage "$(CURDIR)" "$(abspath $(BUILD))/coverage"
+
+# Would the tests notice? MUTANTS small changes of the sources, drawn with SEED. Needs Python and its package index.
+MUTANTS ?= 100
+SEED    ?= 1
+mutants: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
+	@.ci/setup venv
+	@tests/trust/mutants "$(CURDIR)" "$(abspath $(BUILD))/mutants" --mutants $(MUTANTS) --seed $(SEED)
+
+# All code but legacy/ read by gcc's and clang's analysers and cppcheck; any finding is a failure.
+analyse: setup
+	@.ci/setup gcc clang clang-tidy cppcheck --wish expat nlopt
+	@tests/analysis/analyse $(BUILD)/analyse $(JOBS)
 
 install: all
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)"

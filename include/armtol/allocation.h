@@ -1,9 +1,12 @@
 #ifndef ARMTOL_ALLOCATION_H
 #define ARMTOL_ALLOCATION_H
 
+#include "armtol/interface.h"
 #include "armtol/status.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /* How the errors of parameters are thought to add up. */
 typedef enum armtol_sum {
@@ -51,5 +54,7 @@ size_t armtol_allocation_workspace(size_t n_rows, size_t n_columns);
 armtol_status armtol_allocate(armtol_sum sum, const double matrix[], size_t n_rows, size_t n_columns,
                               const double limits[], const double weights[], double tolerances[],
                               double multipliers[], double workspace[]);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -1,9 +1,12 @@
 #ifndef ARMTOL_ARM_H
 #define ARMTOL_ARM_H
 
+#include "armtol/interface.h"
 #include "armtol/link.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 typedef enum armtol_length_unit {
     ARMTOL_MILLIMETRE,
@@ -50,5 +53,7 @@ typedef struct armtol_arm {
 size_t armtol_arm_count(void);
 const armtol_arm *armtol_arm_at(size_t index);
 const armtol_arm *armtol_arm_named(const char *name);
+
+ARMTOL_INTERFACE_END
 
 #endif

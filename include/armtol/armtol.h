@@ -19,6 +19,7 @@
 #include "armtol/tool_point.h"
 #include "armtol/tool_matrix.h"
 #include "armtol/tool_error.h"
+#include "armtol/poses.h"
 #include "armtol/corners.h"
 #include "armtol/sampler.h"
 #include "armtol/allocation.h"
@@ -31,8 +32,13 @@
 #include "armtol/solve.h"
 #include "armtol/craig.h"
 #include "armtol/robots.h"
+#include "armtol/interface.h"
+
+ARMTOL_INTERFACE_BEGIN
 
 /* The version of the library in use, "major.minor.patch". */
 const char *armtol_version(void);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -2,10 +2,13 @@
 #define ARMTOL_AXES_H
 
 #include "armtol/conventions.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 #include "armtol/status.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /* The axis of a joint, all joints at value 0, in base coordinates. */
 typedef struct armtol_axis {
@@ -65,5 +68,7 @@ armtol_status armtol_links_of_axes(const armtol_axis axes[], size_t n_axes, cons
  * else not. A fixed link is npr at any angle, as in the tables of Hahn 1987.
  */
 armtol_kind armtol_kind_of(armtol_joint joint, double alpha);
+
+ARMTOL_INTERFACE_END
 
 #endif

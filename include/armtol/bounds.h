@@ -2,9 +2,12 @@
 #define ARMTOL_BOUNDS_H
 
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/status.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /* Radii of the spheres that the errors of all lengths, and of all angles, have to stay in. */
 typedef struct armtol_bounds {
@@ -29,5 +32,7 @@ armtol_status armtol_tolerances_check(const double tolerances[6], double delta);
 armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,
                                  const double tolerances[6], double delta, const armtol_errata *errata,
                                  armtol_bounds *bounds);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -2,8 +2,11 @@
 #define ARMTOL_COLUMN_ORDER_H
 
 #include "armtol/error_matrix.h"
+#include "armtol/interface.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * The order that puts lengths before angles: first the a of every link that also has a d; then of every link
@@ -15,5 +18,7 @@ size_t armtol_column_order(const armtol_column columns[], size_t n_columns, size
 
 /* ordered(i, k) = matrix(i, order[k]), both 6 x n_columns. */
 void armtol_reorder(const double matrix[], size_t n_columns, const size_t order[], double ordered[]);
+
+ARMTOL_INTERFACE_END
 
 #endif

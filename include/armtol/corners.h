@@ -1,7 +1,11 @@
 #ifndef ARMTOL_CORNERS_H
 #define ARMTOL_CORNERS_H
 
+#include "armtol/interface.h"
+
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * The corners of the box that tolerances span, every parameter off by all that it may be, and how far the
@@ -36,5 +40,7 @@ void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign
  */
 void armtol_remainder(const double matrix[], size_t n_columns, const double tolerances[],
                       double remainder[6]);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -3,9 +3,12 @@
 
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * A link in Craig's order, T = Rot(x, alpha) Trans(a, 0, 0) Rot(z, theta) Trans(0, 0, d): the second
@@ -28,5 +31,7 @@ armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q,
 /* The transform of a chain; q has one value for each link that has a joint, in order. Erratum: float. */
 armtol_transform armtol_craig_chain(const armtol_craig_link links[], size_t n_links, const double q[],
                                     const armtol_errata *errata);
+
+ARMTOL_INTERFACE_END
 
 #endif

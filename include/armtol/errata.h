@@ -1,10 +1,13 @@
 #ifndef ARMTOL_ERRATA_H
 #define ARMTOL_ERRATA_H
 
+#include "armtol/interface.h"
 #include "armtol/status.h"
 
 #include <stdbool.h>
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * The slips of the programs of 1987. A field that is true keeps the slip, false corrects it. Each field is
@@ -54,5 +57,7 @@ armtol_status armtol_erratum_keep(armtol_errata *errata, const char *id, bool ke
  * of the other routines, which the programs of 1987 kept in floats too.
  */
 double armtol_stored(const armtol_errata *errata, double value);
+
+ARMTOL_INTERFACE_END
 
 #endif

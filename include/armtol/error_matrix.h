@@ -2,9 +2,12 @@
 #define ARMTOL_ERROR_MATRIX_H
 
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /* What a column of A stands for: one parameter of one link. */
 typedef struct armtol_column {
@@ -41,5 +44,7 @@ armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, con
  */
 void armtol_refer_to_point(double matrix[], size_t n_columns, const double point[3],
                            const armtol_errata *errata);
+
+ARMTOL_INTERFACE_END
 
 #endif

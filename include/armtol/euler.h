@@ -3,6 +3,9 @@
 
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * zyx Euler angles: R = Rot(z, alpha) Rot(y, beta) Rot(x, gamma). A pose is (x, y, z, gamma, beta, alpha).
@@ -15,5 +18,7 @@ armtol_transform armtol_pose_to_transform(const double pose[6], const armtol_err
  * alpha - gamma, at -pi/2 only alpha + gamma; what comes out for the two near there rests on rounding.
  */
 void armtol_transform_to_pose(const armtol_transform *transform, const armtol_errata *errata, double pose[6]);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -3,10 +3,13 @@
 
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/status.h"
 
 #include <stdbool.h>
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /* The parameters of Eq. (4.1). */
 typedef enum armtol_parameter {
@@ -83,5 +86,7 @@ size_t armtol_joint_count(const armtol_link links[], size_t n_links);
  */
 armtol_status armtol_links_place(const armtol_link links[], size_t n_links, const double q[], size_t n_joints,
                                  const armtol_errata *errata, armtol_link placed[]);
+
+ARMTOL_INTERFACE_END
 
 #endif

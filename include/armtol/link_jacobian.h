@@ -2,9 +2,12 @@
 #define ARMTOL_LINK_JACOBIAN_H
 
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * G of one placed link: column k of its *count columns is the twist of the frame behind the link, in the
@@ -17,5 +20,7 @@
  */
 armtol_status armtol_link_jacobian(const armtol_link *link, const armtol_errata *errata,
                                    double g[6][ARMTOL_PARAMETER_COUNT], size_t *count);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -3,7 +3,10 @@
 
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * The transform of one placed link, written out element by element.
@@ -17,5 +20,7 @@ armtol_transform armtol_link_transform(const armtol_link *link, const armtol_err
  */
 armtol_transform armtol_chain_transform(const armtol_link links[], size_t n_links,
                                         const armtol_errata *errata);
+
+ARMTOL_INTERFACE_END
 
 #endif

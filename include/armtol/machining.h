@@ -3,9 +3,12 @@
 
 #include "armtol/bounds.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /* What one parameter may be off. */
 typedef struct armtol_shares {
@@ -43,5 +46,7 @@ double armtol_distance_tolerance(double a, double d, double a_tolerance, double 
  */
 double armtol_motor_tolerance(const armtol_link *link, double machining_distance,
                               const armtol_shares *shares);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -2,11 +2,14 @@
 #define ARMTOL_POSES_H
 
 #include "armtol/bounds.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 #include "armtol/tool_point.h"
 
 #include <stdbool.h>
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * A with its bounds in many poses of one arm, fast: what no joint moves is prepared once, and poses are done
@@ -65,5 +68,7 @@ void armtol_pose(const armtol_poses *poses, const double q[], double matrix[], a
  */
 void armtol_pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                         armtol_bounds bounds[]);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -3,10 +3,13 @@
 
 #include "armtol/craig.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 #include "armtol/status.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /* The two arms of 1987. Millimetres and radians. Source of all constants: Hahn 1987, appendix. */
 
@@ -53,5 +56,7 @@ extern const armtol_robot armtol_intelledex_605t;
  * of joint 1. Errata of its table: adept-shift, half-turns.
  */
 extern const armtol_robot armtol_adept_one;
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -1,12 +1,15 @@
 #ifndef ARMTOL_SAMPLER_H
 #define ARMTOL_SAMPLER_H
 
+#include "armtol/interface.h"
 #include "armtol/link.h"
 #include "armtol/tool_point.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * Arms drawn at random: every parameter of arm i is off by a draw that is uniform within its tolerance and
@@ -21,10 +24,14 @@ typedef struct armtol_sampled_link {
     double cos_theta, sin_theta;
     double cos_alpha, sin_alpha;
     double cos_beta, sin_beta;
-    bool off[ARMTOL_PARAMETER_COUNT];         /* whether the tolerance is more than 0 */
-    double tolerances[ARMTOL_PARAMETER_COUNT]; /* 0 for what the kind does not count */
-    size_t columns[ARMTOL_PARAMETER_COUNT];    /* SIZE_MAX for what the kind does not count */
-    uint64_t steps[ARMTOL_PARAMETER_COUNT];    /* of the generator, from an arm's first draw on */
+    bool off[ARMTOL_PARAMETER_COUNT]; /* whether the tolerance is more than 0 */
+
+    /* Those that are, in the order in which they are drawn. */
+    size_t n_drawn;
+    armtol_parameter drawn[ARMTOL_PARAMETER_COUNT];
+    double tolerances[ARMTOL_PARAMETER_COUNT];
+    size_t columns[ARMTOL_PARAMETER_COUNT];
+    uint64_t steps[ARMTOL_PARAMETER_COUNT]; /* of the generator, from an arm's first draw on */
 } armtol_sampled_link;
 
 typedef struct armtol_sampler {
@@ -66,5 +73,7 @@ void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t c
 
 /* The parameter errors of one arm, n_columns values. */
 void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, double parameter_errors[]);
+
+ARMTOL_INTERFACE_END
 
 #endif

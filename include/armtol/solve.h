@@ -2,7 +2,10 @@
 #define ARMTOL_SOLVE_H
 
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/status.h"
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * The theta with px cos theta + py sin theta = d. Of the two answers for d != 0 the one closer to `close`,
@@ -13,5 +16,7 @@
  */
 armtol_status armtol_solve(double px, double py, double d, double close, const armtol_errata *errata,
                            double *theta);
+
+ARMTOL_INTERFACE_END
 
 #endif

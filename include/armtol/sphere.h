@@ -3,8 +3,11 @@
 
 #include "armtol/bounds.h"
 #include "armtol/error_matrix.h"
+#include "armtol/interface.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * The report's own way to tolerances, for any arm and corrected: the errors of all lengths stay in one
@@ -43,5 +46,7 @@ armtol_status armtol_sphere_delta(const double matrix[], size_t n_poses, size_t 
 /* Every column's tolerance: its share of the bound of its class, infinite where that is. */
 void armtol_sphere_tolerances(const armtol_column columns[], size_t n_columns, const armtol_bounds *bounds,
                               double tolerances[]);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -1,6 +1,10 @@
 #ifndef ARMTOL_STATUS_H
 #define ARMTOL_STATUS_H
 
+#include "armtol/interface.h"
+
+ARMTOL_INTERFACE_BEGIN
+
 typedef enum armtol_status {
     ARMTOL_OK = 0,
     ARMTOL_NO_LINKS,        /* a chain of no links */
@@ -21,5 +25,7 @@ typedef enum armtol_status {
 
 /* A short English text without a full stop, never NULL, for any value. */
 const char *armtol_status_text(armtol_status status);
+
+ARMTOL_INTERFACE_END
 
 #endif

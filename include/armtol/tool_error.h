@@ -1,10 +1,13 @@
 #ifndef ARMTOL_TOOL_ERROR_H
 #define ARMTOL_TOOL_ERROR_H
 
+#include "armtol/interface.h"
 #include "armtol/link.h"
 #include "armtol/tool_point.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * Where the tool of an arm is whose parameters are off, less where it should be, by Eq. (4.1) and nothing
@@ -15,5 +18,7 @@
  */
 armtol_status armtol_tool_error(const armtol_link links[], size_t n_links, const double parameter_errors[],
                                 size_t n_columns, const armtol_tool_point *tool, double error[6]);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -2,7 +2,10 @@
 #define ARMTOL_TOOL_MATRIX_H
 
 #include "armtol/error_matrix.h"
+#include "armtol/interface.h"
 #include "armtol/tool_point.h"
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * A, 6 x n_columns, for the tool point: the motion of that point and the rotation, along the axes of
@@ -12,5 +15,7 @@
  */
 armtol_status armtol_tool_matrix(const armtol_link links[], size_t n_links, const armtol_tool_point *tool,
                                  double matrix[], size_t n_columns);
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -2,6 +2,9 @@
 #define ARMTOL_TOOL_POINT_H
 
 #include "armtol/conventions.h"
+#include "armtol/interface.h"
+
+ARMTOL_INTERFACE_BEGIN
 
 /* The axes along which errors of the tool are counted: those of the base, or of the tool where it should be. */
 typedef enum armtol_frame { ARMTOL_BASE_FRAME, ARMTOL_TOOL_FRAME, ARMTOL_FRAME_COUNT } armtol_frame;
@@ -14,5 +17,7 @@ typedef struct armtol_tool_point {
 
 /* The origin of the last frame, counted along the base's axes. */
 extern const armtol_tool_point armtol_tool_origin;
+
+ARMTOL_INTERFACE_END
 
 #endif

@@ -3,6 +3,9 @@
 
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
+
+ARMTOL_INTERFACE_BEGIN
 
 /* Of two frames that coincide. */
 armtol_transform armtol_transform_identity(void);
@@ -16,5 +19,7 @@ armtol_transform armtol_transform_product(const armtol_transform *left, const ar
 
 /* The inverse of a rigid motion, [R' , -R' p]. Source: Craig 1986, chapter 2. Erratum: float. */
 armtol_transform armtol_transform_inverse(const armtol_transform *transform, const armtol_errata *errata);
+
+ARMTOL_INTERFACE_END
 
 #endif

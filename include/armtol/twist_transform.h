@@ -3,9 +3,12 @@
 
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/link.h"
 
 #include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
 
 /*
  * What stood on the diagonal of the skew matrix in getj, which never set it: the words that the last call of
@@ -31,5 +34,7 @@ armtol_residue armtol_skew_residue(const armtol_link links[], size_t n_links, co
  */
 armtol_adjoint armtol_twist_transform(const armtol_transform *transform, const armtol_residue *residue,
                                       const armtol_errata *errata);
+
+ARMTOL_INTERFACE_END
 
 #endif

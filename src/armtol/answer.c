@@ -58,18 +58,19 @@ static armtol_status solve(const request *request, const rows *rows, size_t n_ro
     return status;
 }
 
-static armtol_status optimise(const request *request, answer *answer)
+/* False, after a message, where memory is short. */
+static bool optimise(const request *request, answer *answer, armtol_status *status)
 {
     const size_t n_rows = 6 * request->posed.n_poses;
     rows rows;
-    armtol_status status = ARMTOL_NOT_SOLVED;
-    if (get_rows(&rows, n_rows, request->posed.n_columns)) {
-        status = solve(request, &rows, n_rows, answer);
+    const bool enough = get_rows(&rows, n_rows, request->posed.n_columns);
+    if (enough) {
+        *status = solve(request, &rows, n_rows, answer);
     } else {
-        message("out of memory");
+        out_of_memory();
     }
     free_rows(&rows);
-    return status;
+    return enough;
 }
 
 /* The report's bounds, shared out evenly. */
@@ -95,8 +96,12 @@ static armtol_status share_sphere(const request *request, answer *answer)
 
 static bool find_tolerances(const request *request, answer *answer)
 {
-    const armtol_status status =
-        request->options->method == METHOD_SPHERE ? share_sphere(request, answer) : optimise(request, answer);
+    armtol_status status;
+    if (request->options->method == METHOD_SPHERE) {
+        status = share_sphere(request, answer);
+    } else if (!optimise(request, answer, &status)) {
+        return false;
+    }
     if (status != ARMTOL_OK) {
         message("no tolerances: %s", armtol_status_text(status));
     }
@@ -158,7 +163,7 @@ int answer_make(answer *answer, const request *request)
 {
     *answer = (struct answer){.delta = (double)NAN};
     if (!get_memory(answer, &request->posed)) {
-        message("out of memory");
+        out_of_memory();
         answer_free(answer);
         return EXIT_FAILED;
     }

@@ -4,8 +4,8 @@
 #include "arm_row.h"
 #include "arm_table.h"
 #include "cells.h"
+#include "exit_code.h"
 #include "file_message.h"
-#include "message.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -90,7 +90,7 @@ static bool grow(arm_reader *reader)
     armtol_drive *drives = realloc(reader->drives, capacity * sizeof *drives);
     reader->drives = drives != NULL ? drives : reader->drives;
     if (links == NULL || drives == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     reader->capacity = capacity;
@@ -144,7 +144,7 @@ static bool name_after_file(arm_reader *reader)
     const char *slash = strrchr(reader->lines.path, '/');
     char *name = strdup(slash != NULL ? slash + 1 : reader->lines.path);
     if (name == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     char *dot = strrchr(name, '.');

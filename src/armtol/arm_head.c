@@ -1,5 +1,6 @@
 #include "arm_head.h"
 
+#include "exit_code.h"
 #include "file_message.h"
 #include "message.h"
 
@@ -96,7 +97,7 @@ static bool take_text(char **text, const cell_row *row, size_t first, const char
     }
     *text = strdup(row->cells[first].text);
     if (*text == NULL) {
-        message("out of memory");
+        out_of_memory();
     }
     return *text != NULL;
 }

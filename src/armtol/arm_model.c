@@ -1,6 +1,6 @@
 #include "arm_model.h"
 
-#include "message.h"
+#include "exit_code.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +26,7 @@ bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_un
     for (size_t i = 0; i < sizeof model->memory / sizeof model->memory[0]; i++) {
         if (model->memory[i] == NULL) {
             arm_model_free(model);
-            message("out of memory");
+            out_of_memory();
             return false;
         }
     }

@@ -27,17 +27,34 @@ static int first_character(FILE *stream)
     return c;
 }
 
+/* Up to the end of the pipe, which may have none: no arm is that large. False, with errno, where that fails. */
+static bool copy_all(FILE *pipe, FILE *copy)
+{
+    enum { MOST = 1 << 24 };
+    char block[4096];
+    size_t n, length = 0;
+    while ((n = fread(block, 1, sizeof block, pipe)) > 0) {
+        length += n;
+        if (length > MOST) {
+            errno = EFBIG;
+            return false;
+        }
+        if (fwrite(block, 1, n, copy) < n) {
+            return false;
+        }
+    }
+    return !ferror(pipe) && fflush(copy) == 0;
+}
+
 /* What is kept of a pipe, which cannot be wound back, so that it can; NULL, with errno, where that fails. */
 static FILE *copy_of(FILE *pipe)
 {
-    char block[4096];
-    size_t n;
     FILE *copy = tmpfile();
-    while (copy != NULL && (n = fread(block, 1, sizeof block, pipe)) > 0) {
-        if (fwrite(block, 1, n, copy) < n) {
-            fclose(copy);
-            return NULL;
-        }
+    if (copy != NULL && !copy_all(pipe, copy)) {
+        const int why = errno;
+        fclose(copy);
+        errno = why;
+        return NULL;
     }
     if (copy != NULL) {
         rewind(copy);
@@ -68,6 +85,7 @@ static int open_and_read(const cli_options *options, arm_model *model)
 {
     FILE *stream = fopen(options->arm, "rb");
     if (stream == NULL) {
+        exit_code_note_error(errno);
         const bool a_word = errno == ENOENT && strpbrk(options->arm, "./") == NULL;
         message(a_word ? "%s is neither a built-in arm (see --list) nor a file" : "%s: %s", options->arm,
                 strerror(errno));

@@ -9,6 +9,7 @@
 #include "message.h"
 #include "output.h"
 #include "request.h"
+#include "rounding.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -139,7 +140,9 @@ static int act(const cli_options *options)
 int main(int argc, char *argv[])
 {
     cli_options options;
+    rounding_to_double();
     message_start("armtol");
+    signal(SIGXFSZ, SIG_IGN); /* a file size limit is then a failed write, with a message */
     const int code = cli_options_parse(argc, argv, &options);
     return exit_code_of_output(code == EXIT_OK ? act(&options) : code);
 }

@@ -1,6 +1,6 @@
 #include "budget.h"
 
-#include "message.h"
+#include "exit_code.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -52,7 +52,7 @@ bool budget_make(budget *budget, const request *request, const answer *answer)
 {
     *budget = (struct budget){.rows = calloc(2 * request->posed.n_links, sizeof *budget->rows)};
     if (budget->rows == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     for (size_t i = 0; i < 6; i++) {

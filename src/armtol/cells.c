@@ -1,5 +1,6 @@
 #include "cells.h"
 
+#include "exit_code.h"
 #include "file_message.h"
 #include "message.h"
 
@@ -90,7 +91,7 @@ static bool append(cell_row *row, const cell *cell)
         const size_t capacity = row->capacity > 0 ? 2 * row->capacity : 16;
         struct cell *grown = realloc(row->cells, capacity * sizeof *grown);
         if (grown == NULL) {
-            message("out of memory");
+            out_of_memory();
             return false;
         }
         row->cells = grown;

@@ -26,16 +26,38 @@ static pair sum(double a, double b)
     return (pair){high, b - (high - a)};
 }
 
+/* The upper 26 bits; what is left has as many. */
+static double upper_half(double value)
+{
+    const double shifted = 134217729 * value; /* 2^27 + 1 */
+    return shifted - (shifted - value);
+}
+
+/*
+ * x y without what x * y keeps of it: Dekker's way, by halves whose products are exact. Not fma, which on some
+ * machines changes how they round (rounding.h).
+ */
+static double rest_of_product(double x, double y)
+{
+    int x_exponent, y_exponent;
+    x = frexp(x, &x_exponent); /* so that nothing over- or underflows on the way */
+    y = frexp(y, &y_exponent);
+    const double x_high = upper_half(x), x_low = x - x_high, y_high = upper_half(y), y_low = y - y_high;
+    const double rest = ((x_high * y_high - x * y) + x_high * y_low + x_low * y_high) + x_low * y_low;
+    return ldexp(rest, x_exponent + y_exponent);
+}
+
 static pair product(pair x, pair y)
 {
     const double high = x.high * y.high;
-    return sum(high, fma(x.high, y.high, -high) + (x.high * y.low + x.low * y.high));
+    return sum(high, rest_of_product(x.high, y.high) + (x.high * y.low + x.low * y.high));
 }
 
 static pair quotient(pair x, pair y)
 {
     const double high = x.high / y.high;
-    return sum(high, (fma(-high, y.high, x.high) + (x.low - high * y.low)) / y.high);
+    const double rest = (x.high - high * y.high) - rest_of_product(high, y.high);
+    return sum(high, (rest + (x.low - high * y.low)) / y.high);
 }
 
 static pair power_of_ten(unsigned exponent)
@@ -82,23 +104,24 @@ static decimal decimal_of(const char *text)
     return number;
 }
 
-/* The value of a text without sign. Powers that a double cannot hold are left to strtod. */
-static pair value_of(const char *text)
+/* Radians of a text without sign. Powers that a double cannot hold are left to strtod. */
+static pair radians_of(const char *text)
 {
     enum { MOST = 300 };
     const decimal number = decimal_of(text);
     if (number.exponent > MOST || number.exponent < -MOST) {
-        return (pair){strtod(text, NULL), 0};
+        return product((pair){strtod(text, NULL), 0}, degree);
     }
     const pair digits = sum((double)(number.digits >> 32) * 4294967296.0, (double)(number.digits & 0xffffffffu));
     const pair power = power_of_ten((unsigned)labs(number.exponent));
-    return number.exponent < 0 ? quotient(digits, power) : product(digits, power);
+    /* The largest number of degrees may round up to infinity; as radians it is far from that. */
+    return number.exponent < 0 ? product(quotient(digits, power), degree) : product(product(digits, degree), power);
 }
 
 double degrees_parse(const char *text)
 {
     const bool negative = *text == '-';
-    const double radians = product(value_of(text + (negative || *text == '+')), degree).high;
+    const double radians = radians_of(text + (negative || *text == '+')).high;
     return negative ? -radians : radians;
 }
 

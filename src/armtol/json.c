@@ -115,12 +115,6 @@ void json_count(json *json, const char *name, uint64_t value)
     fprintf(json->stream, "%" PRIu64, value);
 }
 
-void json_flag(json *json, const char *name, bool value)
-{
-    begin_value(json, name);
-    fputs(value ? "true" : "false", json->stream);
-}
-
 void json_numbers(json *json, const char *name, const double values[], size_t count)
 {
     begin_value(json, name);

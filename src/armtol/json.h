@@ -28,7 +28,6 @@ void json_close_array(json *json);
 void json_text(json *json, const char *name, const char *text);
 void json_number(json *json, const char *name, double value);
 void json_count(json *json, const char *name, uint64_t value);
-void json_flag(json *json, const char *name, bool value);
 void json_numbers(json *json, const char *name, const double values[], size_t count);
 
 #endif

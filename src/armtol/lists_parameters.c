@@ -1,6 +1,7 @@
 #include "lists.h"
 
 #include "cells.h"
+#include "exit_code.h"
 #include "file_message.h"
 #include "message.h"
 
@@ -233,7 +234,7 @@ bool parameters_read(FILE *stream, const char *path, const parameter_table *tabl
         .unit_place = SIZE_MAX,
     };
     if (reader.lines == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     text_lines_start(&reader.text, stream, path);

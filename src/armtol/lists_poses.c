@@ -1,11 +1,14 @@
 #include "lists.h"
 
 #include "cells.h"
+#include "exit_code.h"
 #include "file_message.h"
 #include "message.h"
 
 #include <stdint.h>
 #include <stdlib.h>
+
+enum { MOST_POSES = 1000000 }; /* a pipe may have no end */
 
 /* The poses read so far. */
 typedef struct pose_list {
@@ -24,7 +27,7 @@ static bool grow(pose_list *list)
     const bool countable = capacity <= SIZE_MAX / sizeof *list->values / (list->n_joints + 1);
     double *grown = countable ? realloc(list->values, capacity * list->n_joints * sizeof *grown) : NULL;
     if (grown == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     list->values = grown;
@@ -44,6 +47,10 @@ static bool check_count(const cell_row *row, size_t n_joints)
 
 static bool take_pose(pose_list *list, const cell_row *row)
 {
+    if (list->n == MOST_POSES) {
+        cells_message(row, 0, "more than %d poses", MOST_POSES);
+        return false;
+    }
     if (!check_count(row, list->n_joints) || !grow(list)) {
         return false;
     }

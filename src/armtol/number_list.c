@@ -16,8 +16,8 @@ static bool is_free(const char *word)
     return strcmp(word, "-") == 0 || strcmp(word, "inf") == 0;
 }
 
-/* Copies the item at *at, cut to fit, and moves on behind it and the comma that ends it. */
-static void next_word(const char **at, char word[WORD], bool *more)
+/* Copies the item at *at, cut to fit, and moves on behind it and the comma that ends it. False where it was cut. */
+static bool next_word(const char **at, char word[WORD], bool *more)
 {
     *at += strspn(*at, separators);
     const size_t length = strcspn(*at, " \t\n,");
@@ -28,6 +28,13 @@ static void next_word(const char **at, char word[WORD], bool *more)
     *at += strspn(*at, separators);
     *more = **at != '\0';
     *at += **at == ',';
+    return kept == length;
+}
+
+static void wrong_number(const char *option, const char *word, number_fault fault, bool may_be_free)
+{
+    message("%s: %s %s%s", option, message_quote(word, &(quoted){""}), number_fault_text(fault),
+            may_be_free ? "; expected a number, or - for a component that is free" : "");
 }
 
 static bool parse_word(const char *option, const char *word, bool may_be_free, double *value)
@@ -38,8 +45,7 @@ static bool parse_word(const char *option, const char *word, bool may_be_free, d
     }
     const number_fault fault = number_parse(word, value);
     if (fault != NUMBER_FINE) {
-        message("%s: %s %s%s", option, message_quote(word, &(quoted){""}), number_fault_text(fault),
-                may_be_free ? "; expected a number, or - for a component that is free" : "");
+        wrong_number(option, word, fault, may_be_free);
         return false;
     }
     return true;
@@ -53,7 +59,10 @@ bool number_list_parse(const char *option, const char *text, const char *what, b
     while (more) {
         char word[WORD];
         double value;
-        next_word(&text, word, &more);
+        if (!next_word(&text, word, &more)) {
+            wrong_number(option, word, NUMBER_TOO_LONG, may_be_free);
+            return false;
+        }
         if (!parse_word(option, word, may_be_free, &value)) {
             return false;
         }

@@ -74,7 +74,7 @@ double parts_lever(const posed_arm *posed)
         double length = sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
         for (size_t i = 0; i < posed->n_links; i++) {
             const armtol_link *link = &posed_arm_links(posed, pose)[i];
-            length += hypot(link->a, link->d);
+            length += sqrt(link->a * link->a + link->d * link->d);
         }
         longest = fmax(longest, length);
     }

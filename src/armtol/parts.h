@@ -12,7 +12,7 @@
 void parts_make(const request *request, const double tolerances[], part parts[]);
 
 /*
- * How long the arm is when it is stretched: sum of hypot(a, d), the largest of all poses, and the tool's offset;
+ * How long the arm is when it is stretched: sum of sqrt(a^2 + d^2), the largest of all poses, and the tool's offset;
  * 1 for an arm without any length.
  */
 double parts_lever(const posed_arm *posed);

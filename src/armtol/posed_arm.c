@@ -1,5 +1,6 @@
 #include "posed_arm.h"
 
+#include "exit_code.h"
 #include "message.h"
 
 #include <stdlib.h>
@@ -49,7 +50,7 @@ bool posed_arm_make(posed_arm *posed, const armtol_arm *arm, const armtol_tool_p
         .n_poses = n_poses,
     };
     if (!get_memory(posed)) {
-        message("out of memory");
+        out_of_memory();
         posed_arm_free(posed);
         return false;
     }

@@ -68,6 +68,7 @@ static bool read_poses(const char *path, size_t n_joints, double **poses, size_t
 {
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
+        exit_code_note_error(errno);
         message("--poses: %s: %s", path, strerror(errno));
         return false;
     }
@@ -82,7 +83,7 @@ static bool parse_joints(const char *text, const armtol_arm *arm, size_t n_joint
     *n_poses = 1;
     *poses = calloc(n_joints + 1, sizeof **poses);
     if (*poses == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     snprintf(what, sizeof what, "a value for each joint of %.20s", arm->name);
@@ -194,6 +195,7 @@ static bool read_tolerances(request *request)
                                    .angle_unit = units_name(&request->units, false)};
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
+        exit_code_note_error(errno);
         message("--tolerances: %s: %s", path, strerror(errno));
         return false;
     }
@@ -213,7 +215,7 @@ static int take_values(request *request)
     request->weights = calloc(n, sizeof *request->weights);
     request->tolerances = given ? calloc(n, sizeof *request->tolerances) : NULL;
     if (request->weights == NULL || (given && request->tolerances == NULL)) {
-        message("out of memory");
+        out_of_memory();
         return EXIT_FAILED;
     }
     const bool fine = take_accuracy(request) && take_delta(request) && take_weights(request) &&

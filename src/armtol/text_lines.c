@@ -1,5 +1,6 @@
 #include "text_lines.h"
 
+#include "exit_code.h"
 #include "file_message.h"
 #include "message.h"
 
@@ -24,7 +25,7 @@ void text_lines_free(text_lines *lines)
 size_t text_characters(const char *text, const char *end)
 {
     size_t count = 0;
-    for (; text < end; text++) {
+    for (; text != end; text++) {
         count += ((unsigned char)*text & 0xc0) != 0x80; /* all but the first byte of a character are 10xxxxxx */
     }
     return count;
@@ -36,7 +37,7 @@ static bool append(text_lines *lines, char c)
         const size_t capacity = lines->capacity > 0 ? 2 * lines->capacity : 256;
         char *grown = realloc(lines->text, capacity);
         if (grown == NULL) {
-            message("out of memory");
+            out_of_memory();
             return false;
         }
         lines->text = grown;
@@ -80,6 +81,7 @@ static line_result read_bytes(text_lines *lines)
         }
     }
     if (ferror(lines->stream)) {
+        exit_code_note_error(errno);
         message("%s: %s", lines->path, errno != 0 ? strerror(errno) : "cannot be read");
         return LINE_WRONG;
     }

@@ -2,6 +2,7 @@
 
 #include "armtol/axes.h"
 #include "armtol/transform.h"
+#include "exit_code.h"
 #include "message.h"
 
 #include <ctype.h>
@@ -33,7 +34,7 @@ static bool parts_start(parts *parts, size_t most_axes)
     const bool fine =
         parts->axes != NULL && parts->axis_drives != NULL && parts->links != NULL && parts->drives != NULL;
     if (!fine) {
-        message("out of memory");
+        out_of_memory();
     }
     return fine;
 }

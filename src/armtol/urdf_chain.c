@@ -1,5 +1,6 @@
 #include "urdf_chain.h"
 
+#include "exit_code.h"
 #include "message.h"
 
 #include <stdio.h>
@@ -120,7 +121,7 @@ static bool find_joints(const urdf_tree *tree, urdf_chain *chain)
     }
     chain->joints = calloc(chain->n_joints + 1, sizeof *chain->joints);
     if (chain->joints == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     size_t link = chain->tip;

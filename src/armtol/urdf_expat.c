@@ -1,5 +1,6 @@
 #include "urdf_parse.h"
 
+#include "exit_code.h"
 #include "message.h"
 #include "urdf_attributes.h"
 
@@ -262,7 +263,7 @@ static bool say_error(const parser *parser)
         return false;
     }
     if (error == XML_ERROR_NO_MEMORY) {
-        message("out of memory");
+        out_of_memory();
     } else if (XML_GetCurrentByteIndex(parser->xml) <= 0 && error == XML_ERROR_NO_ELEMENTS) {
         message("%s is empty; expected a URDF, <robot name=\"...\">", parser->tree->path);
     } else {
@@ -281,6 +282,7 @@ static bool parse_all(parser *parser, FILE *stream)
         }
         n = fread(buffer, 1, CHUNK, stream);
         if (ferror(stream)) {
+            exit_code_note_error(errno);
             message("%s: %s", parser->tree->path, strerror(errno));
             return false;
         }
@@ -295,7 +297,7 @@ bool urdf_parse(FILE *stream, urdf_tree *tree)
 {
     parser parser = {.xml = XML_ParserCreate(NULL), .tree = tree};
     if (parser.xml == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     XML_SetUserData(parser.xml, &parser);

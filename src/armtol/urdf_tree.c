@@ -1,5 +1,6 @@
 #include "urdf_tree.h"
 
+#include "exit_code.h"
 #include "message.h"
 
 #include <math.h>
@@ -33,16 +34,16 @@ void urdf_tree_free(urdf_tree *tree)
 
 /* ---- collecting ---- */
 
-static bool out_of_memory(void)
+static bool no_memory(void)
 {
-    message("out of memory");
+    out_of_memory();
     return false;
 }
 
 bool urdf_tree_keep(char **kept, const char *text)
 {
     *kept = strdup(text);
-    return *kept != NULL || out_of_memory();
+    return *kept != NULL || no_memory();
 }
 
 /* Room for one more item, twice the old where it is short; NULL where there is none to be had. */
@@ -63,7 +64,7 @@ bool urdf_tree_add_link(urdf_tree *tree, const char *name, const file_place *pla
 {
     urdf_link *const links = with_room(tree->links, tree->n_links, &tree->link_room, sizeof *links);
     if (links == NULL) {
-        return out_of_memory();
+        return no_memory();
     }
     tree->links = links;
     urdf_link *const link = &links[tree->n_links++];
@@ -75,7 +76,7 @@ bool urdf_tree_add_joint(urdf_tree *tree, const char *name, const file_place *pl
 {
     urdf_joint *const joints = with_room(tree->joints, tree->n_joints, &tree->joint_room, sizeof *joints);
     if (joints == NULL) {
-        return out_of_memory();
+        return no_memory();
     }
     tree->joints = joints;
     urdf_joint *const joint = &joints[tree->n_joints++];
@@ -146,7 +147,7 @@ static bool check_joint_names(const urdf_tree *tree)
 {
     const urdf_joint **const sorted = calloc(tree->n_joints + 1, sizeof *sorted);
     if (sorted == NULL) {
-        return out_of_memory();
+        return no_memory();
     }
     for (size_t i = 0; i < tree->n_joints; i++) {
         sorted[i] = &tree->joints[i];

@@ -1,6 +1,6 @@
 #include "verification.h"
 
-#include "message.h"
+#include "exit_code.h"
 #include "share_interval.h"
 #include "verification_corners.h"
 #include "verification_draw.h"
@@ -23,7 +23,7 @@ static void set_limits(const verification_task *task, const verified_component c
 {
     for (size_t i = 0; i < 6; i++) {
         limits->range[i] = range_of(&components[i], i < 3);
-        limits->accuracy[i] = task->accuracy != NULL ? task->accuracy[i] : INFINITY;
+        limits->accuracy[i] = task->accuracy != NULL ? task->accuracy[i] : (double)INFINITY;
         limits->beyond[i] = limits->accuracy[i] + components[i].remainder;
     }
 }
@@ -52,7 +52,7 @@ static bool draw_and_report(const verification_task *task, verification *result)
     tally_limits limits;
     tally *all = malloc(sizeof *all);
     if (all == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     set_limits(task, result->components, &limits);
@@ -69,7 +69,7 @@ static double *bounded(const verification_task *task)
 {
     double *tolerances = malloc((task->n_columns + 1) * sizeof *tolerances);
     if (tolerances == NULL) {
-        message("out of memory");
+        out_of_memory();
         return NULL;
     }
     for (size_t k = 0; k < task->n_columns; k++) {

@@ -2,7 +2,7 @@
 
 #include "armtol/corners.h"
 #include "armtol/tool_error.h"
-#include "message.h"
+#include "exit_code.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -109,7 +109,7 @@ bool verification_corners(const verification_task *task, verified_component comp
 {
     double *errors = calloc(task->n_columns, sizeof *errors);
     if (errors == NULL) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     for (size_t i = 0; i < 6; i++) {

@@ -1,6 +1,7 @@
 #include "verification_draw.h"
 
 #include "armtol/sampler.h"
+#include "exit_code.h"
 #include "message.h"
 #include "progress.h"
 #include "verification_interrupt.h"
@@ -151,7 +152,7 @@ static bool run_workers(work *work, size_t n_threads, tally *tally)
     if (first == NULL || others == NULL) {
         free(first);
         free(others);
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     struct sigaction before;
@@ -218,7 +219,7 @@ bool verification_draw(const verification_task *task, const tally_limits *limits
     if (fine) {
         fine = draw_with(task, limits, samplers, links, tally);
     } else {
-        message("out of memory");
+        out_of_memory();
     }
     free(samplers);
     free(links);

@@ -1,5 +1,6 @@
 #include "weights.h"
 
+#include "exit_code.h"
 #include "lists.h"
 #include "message.h"
 #include "number_list.h"
@@ -107,6 +108,10 @@ static bool take_item(const char *item, size_t length, const posed_arm *posed, d
     const size_t kept = length < WORD ? length : WORD - 1;
     memcpy(word, item, kept);
     word[kept] = '\0';
+    if (kept < length) {
+        message("--weights: %s is too long", message_quote(word, &(quoted){""}));
+        return false;
+    }
     char *equals = strchr(word, '=');
     if (equals == NULL) {
         message("--weights: %s is no NAME=NUMBER", message_quote(word, &(quoted){""}));
@@ -138,6 +143,7 @@ static bool take_table(const char *path, const posed_arm *posed, double weights[
                                    .value = "weight"};
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
+        exit_code_note_error(errno);
         message("--weights: %s: %s; expected NAME=NUMBER,... or a file", path, strerror(errno));
         return false;
     }

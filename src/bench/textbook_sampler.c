@@ -22,9 +22,9 @@ static const frame base = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 0, 0}};
 static inline void turn(frame *f, int j, int k, double cosine, double sine)
 {
     for (int i = 0; i < 3; i++) {
-        const double turned = f->r[i][j] * cosine + f->r[i][k] * sine;
+        const double new_j = f->r[i][j] * cosine + f->r[i][k] * sine;
         f->r[i][k] = f->r[i][k] * cosine - f->r[i][j] * sine;
-        f->r[i][j] = turned;
+        f->r[i][j] = new_j;
     }
 }
 

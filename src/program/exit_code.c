@@ -2,7 +2,22 @@
 
 #include "message.h"
 
+#include <errno.h>
+#include <stdbool.h>
 #include <stdio.h>
+
+static bool machine_failed = false;
+
+void exit_code_note_error(int error)
+{
+    machine_failed = machine_failed || error == ENOMEM || error == EMFILE || error == ENFILE || error == EIO;
+}
+
+void out_of_memory(void)
+{
+    message("out of memory");
+    exit_code_note_error(ENOMEM);
+}
 
 int exit_code_of_output(int code)
 {
@@ -10,5 +25,5 @@ int exit_code_of_output(int code)
         message("cannot write to standard output");
         return EXIT_FAILED;
     }
-    return code;
+    return code == EXIT_WRONG && machine_failed ? EXIT_FAILED : code;
 }

@@ -24,11 +24,14 @@ void message_answered(void)
     line_open = false;
 }
 
-/* What a terminal may obey: control characters, also those that UTF-8 writes as C2 80 to C2 9F. */
-static void disarm(char *text)
+/*
+ * What a terminal may obey: control characters, also those that UTF-8 writes as C2 80 to C2 9F. A newline that is not
+ * the remark's own would let a file's name pass for another message.
+ */
+static void disarm(char *text, bool lines)
 {
     for (unsigned char *c = (unsigned char *)text; *c != '\0'; c++) {
-        const bool control = (*c < ' ' && *c != '\n') || *c == 127;
+        const bool control = (*c < ' ' && !(lines && *c == '\n')) || *c == 127;
         const bool second_set = c[0] == 0xc2 && c[1] >= 0x80 && c[1] <= 0x9f;
         if (control) {
             *c = '?';
@@ -38,12 +41,15 @@ static void disarm(char *text)
     }
 }
 
-/* A line of its own. */
-static void say(const char *before, const char *format, va_list arguments)
+/* A line of its own, or several. */
+#ifdef __GNUC__
+__attribute__((format(printf, 3, 0)))
+#endif
+static void say(const char *before, bool lines, const char *format, va_list arguments)
 {
     char text[6000]; /* the longest path and more */
     vsnprintf(text, sizeof text, format, arguments);
-    disarm(text);
+    disarm(text, lines);
     fprintf(stderr, "%s%s%s\n", line_open ? "\n" : "", before, text);
     line_open = false;
 }
@@ -54,7 +60,7 @@ void message(const char *format, ...)
     char before[32];
     snprintf(before, sizeof before, "%s: ", name);
     va_start(arguments, format);
-    say(before, format, arguments);
+    say(before, false, format, arguments);
     va_end(arguments);
 }
 
@@ -62,7 +68,7 @@ void message_note(const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    say("", format, arguments);
+    say("", true, format, arguments);
     va_end(arguments);
 }
 

@@ -14,7 +14,7 @@ void message(const char *format, ...)
 #endif
     ;
 
-/* The same without the name: a remark. */
+/* The same without the name, and in as many lines as the text has: a remark. */
 void message_note(const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 1, 2)))

@@ -14,22 +14,26 @@ typedef struct draft {
     bool exists;
 } draft;
 
-/* Where standard input or error is closed its number is free: a folder there would be read or written to. */
-static int open_above_standard(const char *path)
+/*
+ * Where a standard stream is closed its number is free, and goes to what is opened next: messages would be written
+ * into a file, and a folder be read. Moves a descriptor out of the way; errno says why that cannot be.
+ */
+static int above_standard(int descriptor)
 {
-    const int descriptor = open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0 || descriptor > STDERR_FILENO) {
         return descriptor;
     }
     const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    const int why = errno;
     close(descriptor);
+    errno = why;
     return moved;
 }
 
 bool folder_open(folder *folder, const char *path)
 {
     folder->path = path;
-    folder->descriptor = open_above_standard(path);
+    folder->descriptor = above_standard(open(path, O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (folder->descriptor < 0) {
         message("output folder \"%s\": %s", path, strerror(errno));
         return false;
@@ -82,7 +86,8 @@ static int create(const folder *folder, const outfile *file, draft *draft)
             break;
         }
     }
-    return descriptor;
+    draft->exists = descriptor >= 0;
+    return above_standard(descriptor);
 }
 
 static FILE *draft_open(const folder *folder, const outfile *file, draft *draft)
@@ -91,10 +96,11 @@ static FILE *draft_open(const folder *folder, const outfile *file, draft *draft)
     if (descriptor < 0) {
         return NULL;
     }
-    draft->exists = true;
     FILE *stream = fdopen(descriptor, "w");
     if (stream == NULL) {
+        const int why = errno;
         close(descriptor);
+        errno = why;
     }
     return stream;
 }
@@ -158,7 +164,7 @@ static void remove_drafts(const folder *folder, const draft drafts[], size_t cou
 /* A signal that would end the program waits until no draft is left behind; one that tells of a crash does not. */
 static void hold_signals(sigset_t *held)
 {
-    static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP};
+    static const int crashes[] = {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
     sigfillset(held);
     for (size_t i = 0; i < sizeof crashes / sizeof crashes[0]; i++) {
         sigdelset(held, crashes[i]);

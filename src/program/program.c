@@ -5,6 +5,7 @@
 #include "message.h"
 #include "options.h"
 #include "outfile.h"
+#include "rounding.h"
 #include "session.h"
 
 #include <signal.h>
@@ -13,6 +14,7 @@ int program_main(int argc, char *argv[], const program *program)
 {
     options options;
     folder folder;
+    rounding_to_double();
     message_start(program->name);
     signal(SIGXFSZ, SIG_IGN); /* a file size limit is then a failed write, with a message */
     const int code = options_parse(argc, argv, &options);

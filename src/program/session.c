@@ -154,7 +154,7 @@ int session_run(const program *program, const options *options, const folder *fo
     dialogue dialogue;
     session session = {program, &analysis, {0}};
     if (!analysis_start(&analysis, program->robot, &options->errata)) {
-        message("out of memory");
+        out_of_memory();
         return EXIT_FAILED;
     }
     dialogue_start(&dialogue, stdin, isatty(STDIN_FILENO), &options->errata);

@@ -1,5 +1,6 @@
 #include "table.h"
 
+#include "exit_code.h"
 #include "message.h"
 
 #include <stdarg.h>
@@ -36,7 +37,7 @@ table_row *table_add(table *table, const char *first_cell)
 {
     table_row *grown = realloc(table->rows, (table->n_rows + 1) * sizeof *grown);
     if (grown == NULL) {
-        message("out of memory");
+        out_of_memory();
         return NULL;
     }
     table->rows = grown;

@@ -5,6 +5,7 @@
 #include "measure.h"
 #include "message.h"
 #include "published.h"
+#include "rounding.h"
 #include "run_case.h"
 
 #include <getopt.h>
@@ -24,20 +25,20 @@ typedef struct arguments {
 
 static int usage(void)
 {
-    message("expected one of\n"
-            "  reproduce [--quiet | --misses] [--legacy [--runner=COMMAND]] PROGRAMS PUBLISHED OUT\n"
-            "  reproduce --errata | --walk | --portability [--format=text|markdown|tsv] PUBLISHED\n"
-            "\n"
-            "  PROGRAMS       the folder of intella and adpta\n"
-            "  PUBLISHED      the table of the paper's numbers\n"
-            "  OUT            the folder that gets 1987/CASE/ and corrected/CASE/\n"
-            "  --quiet        write the files, print nothing\n"
-            "  --misses       print what differs and the count, not the tables\n"
-            "  --legacy       the programs are those of legacy/, which know no corrections\n"
-            "  --runner       what to start them with: an emulator\n"
-            "  --errata       the bounds with each erratum corrected alone, and with each kept alone\n"
-            "  --walk         the bounds from 1987 to all corrected, an erratum at a time\n"
-            "  --portability  the published numbers for float and double storage, 3.14159 and pi");
+    message("expected one of");
+    message_note("  reproduce [--quiet | --misses] [--legacy [--runner=COMMAND]] PROGRAMS PUBLISHED OUT\n"
+                 "  reproduce --errata | --walk | --portability [--format=text|markdown|tsv] PUBLISHED\n"
+                 "\n"
+                 "  PROGRAMS       the folder of intella and adpta\n"
+                 "  PUBLISHED      the table of the paper's numbers\n"
+                 "  OUT            the folder that gets 1987/CASE/ and corrected/CASE/\n"
+                 "  --quiet        write the files, print nothing\n"
+                 "  --misses       print what differs and the count, not the tables\n"
+                 "  --legacy       the programs are those of legacy/, which know no corrections\n"
+                 "  --runner       what to start them with: an emulator\n"
+                 "  --errata       the bounds with each erratum corrected alone, and with each kept alone\n"
+                 "  --walk         the bounds from 1987 to all corrected, an erratum at a time\n"
+                 "  --portability  the published numbers for float and double storage, 3.14159 and pi");
     return EXIT_WRONG;
 }
 
@@ -247,6 +248,7 @@ int main(int argc, char *argv[])
 {
     arguments arguments;
     published_list list;
+    rounding_to_double();
     message_start("reproduce");
     if (!parse(argc, argv, &arguments)) {
         return usage();

@@ -182,7 +182,8 @@ static void test_a_tool_offset_moves_the_point_that_is_meant(void)
     cli_options options = question("adeptone", "0.3,0.5,0.7,-200", ".5,.5,.5,.01,.01,.01");
     options.tool_offset = "10,20,30";
     asked_make(&asked, &options);
-    double point[3], offset[3] = {10, 20, 30}, expected[3];
+    const double offset[3] = {10, 20, 30};
+    double point[3], expected[3];
     const armtol_transform tool =
         armtol_chain_transform(asked.request.posed.links, asked.request.posed.n_links, &armtol_errata_none);
     posed_arm_tool(&asked.request.posed, 0, point);

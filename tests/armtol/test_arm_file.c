@@ -22,7 +22,6 @@
 #define DEG_30 0x1.0c152382d7366p-1
 #define DEG_90 0x1.921fb54442d18p+0
 #define DEG_160 0x1.657184ae74487p+1
-#define DEG_180 0x1.921fb54442d18p+1
 
 void setUp(void)
 {

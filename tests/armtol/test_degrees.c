@@ -40,6 +40,7 @@ static void test_the_nearest_double_is_taken(void)
         {"0.000000000000000000000000000012", 0x1.0fde371158071p-102},
         {"+12.5E+1", 0x1.1740afa84ad8ap+1},
         {"1e-320", 0x0.0000000000023p-1022},
+        {"1.7976931348623158e308", 0x1.1df46a2529d39p+1018}, /* next to what a double cannot hold */
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         check_same(rows[i].radians, degrees_parse(rows[i].degrees), "%s degrees", rows[i].degrees);

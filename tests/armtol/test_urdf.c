@@ -370,7 +370,7 @@ static void check_limits(const char *text, double low, double high)
     const armtol_drive *const drive = &model.arm.drives[1];
     check_same(low, drive->low, "low");
     check_same(high, drive->high, "high");
-    TEST_ASSERT_TRUE(model.arm.drives[0].low == -INFINITY && model.arm.drives[0].high == INFINITY);
+    TEST_ASSERT_TRUE(model.arm.drives[0].low == -(double)INFINITY && model.arm.drives[0].high == (double)INFINITY);
     arm_model_free(&model);
 }
 

@@ -119,10 +119,10 @@ static bool is_live(const family *family, size_t choice, unsigned char option)
         for (size_t j = 0; j < choice_count(&family->choices[i]) && i != choice; j++) {
             configuration without = family_default();
             without.option[i] = (unsigned char)j;
-            configuration with = without;
-            with.option[choice] = option;
-            if (family->matters(&without, choice) && family->matters(&with, choice) &&
-                differ(family, &without, &with)) {
+            configuration changed = without;
+            changed.option[choice] = option;
+            if (family->matters(&without, choice) && family->matters(&changed, choice) &&
+                differ(family, &without, &changed)) {
                 return true;
             }
         }

@@ -7,6 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#ifdef __GNUC__
+__attribute__((format(printf, 3, 0)))
+#endif
 static void fail(const char *expected, const char *actual, const char *format, va_list arguments)
 {
     char what[200], text[400];
@@ -15,6 +18,9 @@ static void fail(const char *expected, const char *actual, const char *format, v
     TEST_FAIL_MESSAGE(text);
 }
 
+#ifdef __GNUC__
+__attribute__((format(printf, 3, 0)))
+#endif
 static void fail_numbers(double expected, double actual, const char *format, va_list arguments)
 {
     char one[40], other[40];

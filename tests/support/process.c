@@ -16,6 +16,8 @@
 #include <termios.h>
 #include <unistd.h>
 
+extern char **environ; /* POSIX has no header for it */
+
 enum { SECONDS = 20 };
 
 /* The process that runs, and our side of its wires; a terminal's is open to the end: a hangup is a signal. */
@@ -180,6 +182,9 @@ static void close_ends(ends *ends)
 }
 
 /* From here to the program all is the child's: it must not return, and says why on its standard error. */
+#ifdef __GNUC__
+__attribute__((noreturn))
+#endif
 static void child_fails(const char *what)
 {
     dprintf(STDERR_FILENO, "cannot start the program: %s: %s\n", what, strerror(errno));
@@ -218,16 +223,25 @@ static void child_limits_files(rlim_t largest)
     }
 }
 
+/* What exec and putenv take is not const. */
+static char *copy_of(const char *text)
+{
+    char *copy = strdup(text);
+    if (copy == NULL) {
+        child_fails(text);
+    }
+    return copy;
+}
+
 static void child_runs(const process_setup *setup, const ends *ends)
 {
     enum { MOST = 32 };
-    extern char **environ;
-    char *argv[MOST + 2] = {(char *)setup->program};
+    char *argv[MOST + 2] = {copy_of(setup->program)};
     for (int i = 0; setup->arguments != NULL && setup->arguments[i] != NULL && i < MOST; i++) {
-        argv[i + 1] = (char *)setup->arguments[i];
+        argv[i + 1] = copy_of(setup->arguments[i]);
     }
     for (int i = 0; setup->environment != NULL && setup->environment[i] != NULL; i++) {
-        putenv((char *)setup->environment[i]);
+        putenv(copy_of(setup->environment[i]));
     }
     setsid();
     signal(SIGPIPE, SIG_DFL);

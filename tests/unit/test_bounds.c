@@ -121,7 +121,7 @@ static void test_a_norm_that_overflows_is_told(void)
         bounds.angle = 42;
         TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_norm_bounds(matrix, 5, 2, tolerances, 0.5,
                                                                     &armtol_errata_1987, &bounds));
-        matrix[i] = i % 2 == 0 ? 1e200 : NAN;
+        matrix[i] = i % 2 == 0 ? 1e200 : (double)NAN;
         TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_norm_bounds(matrix, 5, 2, tolerances, 0.5,
                                                                     &armtol_errata_none, &bounds));
         check_same(42, bounds.angle, "the output after an error");

@@ -388,6 +388,17 @@ static void test_where_it_is_not_bounded(void)
     check_same(INFINITY, box.remainder[5], "no number");
 }
 
+/* A lever whose square overflows, and tolerances whose product underflows: 0 times infinity bounds nothing. */
+static void test_what_is_too_large_is_not_bounded(void)
+{
+    const double matrix[6 * 2] = {[1] = 1e200, [6] = 1, [7] = 1}, tolerances[2] = {1e-200, 1e-200};
+    double remainder[6];
+    armtol_remainder(matrix, 2, tolerances, remainder);
+    for (int i = 0; i < 3; i++) {
+        check_same((double)INFINITY, remainder[i], "component %d", i);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -402,5 +413,6 @@ int main(void)
     RUN_TEST(test_the_order_of_parameters_counts);
     RUN_TEST(test_without_tolerances_nothing_remains);
     RUN_TEST(test_where_it_is_not_bounded);
+    RUN_TEST(test_what_is_too_large_is_not_bounded);
     return UNITY_END();
 }

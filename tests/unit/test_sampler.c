@@ -200,7 +200,7 @@ static void check_turn(double tolerance, double within, double of_turn)
     for (size_t j = 0; j < ARMS; j++) {
         armtol_sampler_parameters(&sampler, j, parameters);
         const double e = parameters[0], twice_sine = sin(e / 2);
-        const double turn = remainder(e, 2 * PI);
+        const double turn = atan2(sin(e), cos(e));
         check_within(within, -2 * twice_sine * twice_sine, errors[0 * ARMS + j], "x for %.17g", e);
         check_within(within, sin(e), errors[1 * ARMS + j], "y for %.17g", e);
         check_within(of_turn, turn, errors[5 * ARMS + j], "the turn for %.17g", e);

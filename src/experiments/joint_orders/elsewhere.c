@@ -29,7 +29,7 @@ static void ranges_of(const family *family, double ranges[])
 void elsewhere_draw(const family *family, double wishes[][MOST_WISH], size_t n_wishes)
 {
     const size_t n_joints = family->robot->n_joints;
-    double ranges[MOST_JOINTS], q[MOST_JOINTS];
+    double ranges[MOST_JOINTS] = {0}, q[MOST_JOINTS];
     ranges_of(family, ranges);
     for (size_t i = 0; i < n_wishes; i++) {
         for (size_t j = 0; j < n_joints; j++) {
@@ -91,7 +91,7 @@ static double difference_at(const answers *answers, size_t wish)
     print_joints(&answers->walk, wish, printed);
     for (size_t j = 0; j < answers->walk.family->robot->n_joints; j++) {
         const double difference = fabs(printed[j] - answers->defaults[wish][j]);
-        largest = difference <= largest ? largest : isnan(difference) ? INFINITY : difference;
+        largest = difference <= largest ? largest : isnan(difference) ? (double)INFINITY : difference;
     }
     return largest;
 }

@@ -4,6 +4,7 @@
 #include "exit_code.h"
 #include "message.h"
 #include "orders_options.h"
+#include "rounding.h"
 
 #include <stdio.h>
 
@@ -69,6 +70,7 @@ static int act(const orders_options *options)
 int main(int argc, char *argv[])
 {
     orders_options options;
+    rounding_to_double();
     message_start("joint-orders");
     const int code = orders_options_parse(argc, argv, &options);
     return exit_code_of_output(code == EXIT_OK ? act(&options) : code);

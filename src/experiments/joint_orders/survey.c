@@ -31,11 +31,11 @@ static void tally(survey *survey, const configuration *configuration, size_t sco
     const size_t n = evidence_count(survey->evidence);
     for (size_t i = 0; i < survey->family->n_choices; i++) {
         if (survey->family->matters(configuration, i)) {
-            option_tally *tally = &survey->tallies[i][configuration->option[i]];
-            tally->configurations++;
-            tally->all += score == n;
-            tally->all_but_one += score + 1 == n;
-            tally->best = score > tally->best ? score : tally->best;
+            option_tally *of = &survey->tallies[i][configuration->option[i]];
+            of->configurations++;
+            of->all += score == n;
+            of->all_but_one += score + 1 == n;
+            of->best = score > of->best ? score : of->best;
         }
     }
 }

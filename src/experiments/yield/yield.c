@@ -4,6 +4,7 @@
 #include "exit_code.h"
 #include "message.h"
 #include "published.h"
+#include "rounding.h"
 #include "yield_options.h"
 #include "yield_tables.h"
 
@@ -72,6 +73,7 @@ static int act(const yield_options *options)
 int main(int argc, char *argv[])
 {
     yield_options options;
+    rounding_to_double();
     message_start("yield");
     const int code = yield_options_parse(argc, argv, &options);
     return exit_code_of_output(code == EXIT_OK ? act(&options) : code);

@@ -1,0 +1,242 @@
+/* Whole runs of armtol that ask in unusual ways: units, weights, files, several poses, the other way round. */
+
+#include "process.h"
+
+#include "unity.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define POSE "0,45,-90,0,45,0"
+#define WISH ".5,.5,.5,.01,.01,.01"
+#define ASKED "puma560", "--joints", POSE, "--degrees", "--accuracy", WISH
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    process_clean_up();
+}
+
+static void run(process *process, const char *folder, const char *const arguments[])
+{
+    const process_setup setup = {.program = TEST_ARMTOL, .arguments = arguments, .folder = folder};
+    process_run(process, &setup, "");
+}
+
+static void run_well(process *process, const char *folder, const char *const arguments[])
+{
+    run(process, folder, arguments);
+    process_check_status(process, 0, arguments[0]);
+    text_check("", 0, &process->errors, arguments[0]);
+}
+
+static void check_says(const process *process, const char *words)
+{
+    TEST_ASSERT_TRUE_MESSAGE(strstr(process->output.bytes, words) != NULL, words);
+}
+
+static void check_same(const process *one, const process *other, const char *what)
+{
+    text_check(one->output.bytes, one->output.length, &other->output, what);
+}
+
+static double number_after(const process *process, const char *words)
+{
+    const char *at = strstr(process->output.bytes, words);
+    TEST_ASSERT_NOT_NULL_MESSAGE(at, words);
+    return strtod(at + strlen(words), NULL);
+}
+
+/* ---- units ---- */
+
+static void test_metres_are_a_thousand_millimetres(void)
+{
+    process plain, mm, metres;
+    run_well(&plain, NULL, (const char *const[]){ASKED, "--json", NULL});
+    run_well(&mm, NULL, (const char *const[]){ASKED, "--mm", "--json", NULL});
+    run_well(&metres, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--metres", "--accuracy",
+                                                  ".0005,.0005,.0005,.01,.01,.01", "--json", NULL});
+    check_same(&plain, &mm, "the Puma's unit");
+    const double in_mm = number_after(&mm, "\"distance\": "), in_m = number_after(&metres, "\"distance\": ");
+    TEST_ASSERT_TRUE(in_mm > 0 && fabs(in_m * 1000 / in_mm - 1) < 1e-12);
+    const double of_mm = number_after(&mm, "\"angle\": "), of_m = number_after(&metres, "\"angle\": ");
+    TEST_ASSERT_TRUE(of_mm > 0 && fabs(of_m / of_mm - 1) < 1e-12);
+}
+
+/* ---- weights ---- */
+
+/* A class is the parameters in it: the Puma turns in theta, and has no beta. */
+static void test_a_class_of_weights_is_its_parameters(void)
+{
+    static const char *const same[][2] = {{"angles=2", "theta=2,alpha=2"},
+                                          {"lengths=2", "d=2,a=2"},
+                                          {"motors=3", "theta=3"},
+                                          {"machining=3", "d=3,a=3,alpha=3"}};
+    process by_class, by_name;
+    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
+        run_well(&by_class, NULL, (const char *const[]){ASKED, "--weights", same[i][0], "--csv", NULL});
+        run_well(&by_name, NULL, (const char *const[]){ASKED, "--weights", same[i][1], "--csv", NULL});
+        check_same(&by_class, &by_name, same[i][0]);
+    }
+}
+
+static void test_weights_may_be_a_table(void)
+{
+    const string folder = folder_new(), file = string_of("%s/w.csv", folder.text);
+    process listed, read;
+    file_write(file.text, "link,parameter,weight\n2,alpha,10\n0,theta,.5\n");
+    run_well(&listed, NULL, (const char *const[]){ASKED, "--weights", "2.alpha=10,0.theta=.5", "--csv", NULL});
+    run_well(&read, folder.text, (const char *const[]){ASKED, "--weights", "w.csv", "--csv", NULL});
+    check_same(&listed, &read, "weights of a table");
+}
+
+/* ---- the sentences above the tables ---- */
+
+static void test_the_method_is_said(void)
+{
+    const string folder = folder_new(), file = string_of("%s/t.csv", folder.text);
+    process process;
+    run_well(&process, NULL, (const char *const[]){ASKED, "--method", "rss", "--sigma", "2.5", NULL});
+    check_says(&process, "with which 2.5 standard deviations of every component");
+    run_well(&process, NULL, (const char *const[]){ASKED, "--csv", NULL});
+    file_write(file.text, process.output.bytes);
+    run_well(&process, folder.text, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--tolerances",
+                                                          "t.csv", "--verify", "100", NULL});
+    check_says(&process, "The tolerances of t.csv, and the accuracy that they give.\n");
+    check_says(&process, "100 arms drawn");
+    TEST_ASSERT_NULL(strstr(process.output.bytes, "within the accuracy")); /* none is wished */
+}
+
+static void test_a_sphere_says_its_bounds_in_json_too(void)
+{
+    process text, json;
+    run_well(&text, NULL, (const char *const[]){ASKED, "--method", "sphere", "--delta", ".1", NULL});
+    run_well(&json, NULL, (const char *const[]){ASKED, "--method", "sphere", "--delta", ".1", "--json", NULL});
+    TEST_ASSERT_TRUE(fabs(number_after(&json, "\"delta\": ") - .1) < 1e-15);
+    const string said =
+        string_of("corrected: distance %.6g, angle %.6g, delta 0.1.", number_after(&json, "\"distance_bound\": "),
+                  number_after(&json, "\"angle_bound\": "));
+    check_says(&text, said.text);
+}
+
+static void test_many_poses_are_counted_and_not_listed(void)
+{
+    enum { POSES = 40 };
+    const string folder = folder_new(), file = string_of("%s/poses.txt", folder.text);
+    text poses = {0};
+    for (int i = 0; i < POSES; i++) {
+        strcat(poses.bytes, "0,45,-90,0,45,0\n");
+    }
+    file_write(file.text, poses.bytes);
+    process process;
+    run_well(&process, folder.text,
+             (const char *const[]){"puma560", "--poses", "poses.txt", "--degrees", "--accuracy", WISH, NULL});
+    int listed = 0;
+    for (const char *at = process.output.bytes; (at = strstr(at, ", tool point")) != NULL; at++) {
+        listed++;
+    }
+    const string rest = string_of("  and %d more poses\n", POSES - listed);
+    TEST_ASSERT_TRUE(listed > 0 && listed < POSES);
+    check_says(&process, rest.text);
+}
+
+/* ---- where arms come from ---- */
+
+static void test_an_arm_may_come_through_a_pipe_behind_empty_lines(void)
+{
+    process shown, again;
+    const process_setup setup = {.program = TEST_ARMTOL, .arguments = (const char *const[]){"/dev/stdin", "--show", NULL}};
+    run_well(&shown, NULL, (const char *const[]){"stanford", "--show", NULL});
+    const string input = string_of("\n\n%s", shown.output.bytes);
+    process_run(&again, &setup, input.text);
+    process_check_status(&again, 0, "an arm through a pipe");
+    check_same(&shown, &again, "an arm through a pipe");
+}
+
+/* RFC 8259, section 7. */
+static void test_a_title_is_escaped_in_json(void)
+{
+    const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
+    process process;
+    file_write(file.text, "name: my\ntitle: \"a\" \\ b\nunits: mm rad\njoint,a,alpha,d,theta\nr,100,0,0,0\n");
+    run_well(&process, folder.text, (const char *const[]){"my.csv", "--joints", "0", "--accuracy", "1,1,-,-,-,.1",
+                                                          "--json", NULL});
+    check_says(&process, "\\\"a\\\" \\\\ b");
+}
+
+/* ---- how far it is ---- */
+
+static void test_a_terminal_sees_the_time_left_and_an_interrupt_prints_what_there_is(void)
+{
+    const process_setup setup = {
+        .program = TEST_ARMTOL,
+        .arguments = (const char *const[]){ASKED, "--verify", "4000000", "--threads", "1", NULL},
+        .wires = {WIRE_PIPE, WIRE_PIPE, WIRE_TERMINAL}};
+    process process;
+    process_start(&process, &setup);
+    process_expect(&process, " of 4000000 arms");
+    process_expect(&process, " s left");
+    kill(process.id, SIGINT);
+    process_finish(&process);
+    check_says(&process, "arms are within the accuracy");
+}
+
+/* ---- what is refused ---- */
+
+typedef struct wrong_call {
+    const char *arguments[14];
+    const char *message; /* how the line begins */
+} wrong_call;
+
+static const wrong_call wrong_calls[] = {
+    {{"puma560", "--joints", POSE, "--poses", "p.txt", "--accuracy", WISH, NULL},
+     "armtol: --joints and --poses exclude each other"},
+    {{ASKED, "--mm", "--metres", NULL}, "armtol: --mm and --metres exclude each other"},
+    {{ASKED, "--method", "sphere", "--weights", "theta=2", NULL},
+     "armtol: --weights is for the methods worst and rss"},
+    {{"puma560", "--joints", POSE, "--tolerances", "t.csv", "--weights", "theta=2", NULL},
+     "armtol: --weights is for the methods worst and rss"},
+    {{"puma560", "--joints", POSE, "--tolerances", "t.csv", "--delta", ".1", NULL},
+     "armtol: --delta is for --method sphere"},
+    {{ASKED, "--csv", "--budget", NULL}, "armtol: --csv writes tolerances only"},
+    {{ASKED, "--csv", "--verify", "10", NULL}, "armtol: --csv writes tolerances only"},
+    {{ASKED, "--weights", "theta=2,alpha", NULL}, "armtol: --weights: \"alpha\" is no NAME=NUMBER"},
+    {{ASKED, "--weights", "none.csv", NULL}, "armtol: --weights: none.csv: No such file or directory"},
+    {{"my.csv", "--tip", "hand", "--show", NULL}, "armtol: --base and --tip are for URDF files, and my.csv is none"},
+};
+
+static void test_what_contradicts_itself_is_refused(void)
+{
+    const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
+    file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\nr,100,0,0,0\n");
+    for (size_t i = 0; i < sizeof wrong_calls / sizeof wrong_calls[0]; i++) {
+        const wrong_call *call = &wrong_calls[i];
+        process process;
+        run(&process, folder.text, call->arguments);
+        process_check_status(&process, 2, call->message);
+        text_check("", 0, &process.output, call->message);
+        TEST_ASSERT_TRUE_MESSAGE(strncmp(process.errors.bytes, call->message, strlen(call->message)) == 0,
+                                 process.errors.bytes);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_metres_are_a_thousand_millimetres);
+    RUN_TEST(test_a_class_of_weights_is_its_parameters);
+    RUN_TEST(test_weights_may_be_a_table);
+    RUN_TEST(test_the_method_is_said);
+    RUN_TEST(test_a_sphere_says_its_bounds_in_json_too);
+    RUN_TEST(test_many_poses_are_counted_and_not_listed);
+    RUN_TEST(test_an_arm_may_come_through_a_pipe_behind_empty_lines);
+    RUN_TEST(test_a_title_is_escaped_in_json);
+    RUN_TEST(test_a_terminal_sees_the_time_left_and_an_interrupt_prints_what_there_is);
+    RUN_TEST(test_what_contradicts_itself_is_refused);
+    return UNITY_END();
+}

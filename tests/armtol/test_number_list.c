@@ -1,0 +1,75 @@
+/* Numbers on the command line: all of a number counts, or none of it. */
+
+#include "number_list.h"
+#include "posed_arm.h"
+#include "weights.h"
+
+#include "check.h"
+#include "message.h"
+#include "said.h"
+
+#include "unity.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const char digits[] = "0000000000" "0000000000" "0000000000" "0000000000" "0000000000";
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* 63 characters are a number; one more, and it is not cut but refused. */
+static void test_a_list_cuts_no_number(void)
+{
+    char text[200];
+    double values[2];
+    said said;
+    snprintf(text, sizeof text, "1%s%.12s,2", digits, digits);
+    TEST_ASSERT_TRUE(number_list_parse("--joints", text, "numbers", false, 2, values));
+    check_same(1e62, values[0], "63 digits");
+    check_same(2, values[1], "behind them");
+
+    snprintf(text, sizeof text, "2,1%s%.13s", digits, digits);
+    said_begin();
+    const bool fine = number_list_parse("--joints", text, "numbers", false, 2, values);
+    said_end(&said);
+    TEST_ASSERT_FALSE(fine);
+    TEST_ASSERT_EQUAL_STRING("armtol: --joints: \"1000000000000000000000000000000000000000...\" is too long\n",
+                             said.text);
+}
+
+static void test_a_weight_is_not_cut(void)
+{
+    static const double q[6];
+    char text[200];
+    double weights[64];
+    posed_arm posed;
+    said said;
+    TEST_ASSERT_TRUE(posed_arm_make(&posed, armtol_arm_named("puma560"), &armtol_tool_origin, q, 1));
+    snprintf(text, sizeof text, "alpha=1%s%.6s", digits, digits);
+    TEST_ASSERT_TRUE(weights_parse(text, &posed, weights));
+    check_same(1e56, weights[3], "63 characters");
+
+    snprintf(text, sizeof text, "alpha=1%s%.7s", digits, digits);
+    said_begin();
+    const bool fine = weights_parse(text, &posed, weights);
+    said_end(&said);
+    TEST_ASSERT_FALSE(fine);
+    TEST_ASSERT_EQUAL_STRING("armtol: --weights: \"alpha=1000000000000000000000000000000000...\" is too long\n",
+                             said.text);
+    posed_arm_free(&posed);
+}
+
+int main(void)
+{
+    message_start("armtol");
+    UNITY_BEGIN();
+    RUN_TEST(test_a_list_cuts_no_number);
+    RUN_TEST(test_a_weight_is_not_cut);
+    return UNITY_END();
+}

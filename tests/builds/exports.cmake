@@ -1,0 +1,30 @@
+# The shared library shows what the public headers declare: no more, no less.
+include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
+
+set(declared "")
+file(GLOB headers ${INCLUDE}/armtol/*.h)
+foreach(header IN LISTS headers)
+  file(READ ${header} text)
+  string(REGEX REPLACE "/\\*[^*]*\\*+([^/*][^*]*\\*+)*/" "" text "${text}")
+  string(REGEX REPLACE "#[^\n]*(\\\\\n[^\n]*)*" "" text "${text}")
+  string(REGEX MATCHALL "armtol_[a-z0-9_]+\\(" functions "${text}")
+  string(REGEX MATCHALL "extern const armtol_[a-z_]+ armtol_[a-z0-9_]+" objects "${text}")
+  list(TRANSFORM functions REPLACE "\\(" "")
+  list(TRANSFORM objects REPLACE ".* " "")
+  list(APPEND declared ${functions} ${objects})
+endforeach()
+
+# name, type, value, size
+run(${NM} -D --defined-only -P ${LIBRARY})
+string(REGEX MATCHALL "[^ \n]+ [A-Z] [^\n]*" exported "${run_output}")
+list(TRANSFORM exported REPLACE " .*" "")
+
+set(missing ${declared})
+list(REMOVE_ITEM missing ${exported})
+set(more ${exported})
+list(REMOVE_ITEM more ${declared})
+list(LENGTH declared count)
+if(missing OR more OR count LESS 50)
+  message(FATAL_ERROR "of ${count} declared names ${LIBRARY}\nlacks '${missing}'\nand has besides '${more}'")
+endif()
+message(STATUS "${count} names declared and exported")

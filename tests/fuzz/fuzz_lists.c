@@ -1,0 +1,83 @@
+/*
+ * Files of poses, and of tolerances or weights. The first byte says which; the second, for poses, how many joints, and
+ * for parameters, which arm and what is asked of the table.
+ */
+
+#include "harness.h"
+#include "require.h"
+
+#include "lists.h"
+
+#include "armtol/arm.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+enum { MOST_COLUMNS = 64 };
+
+static void check_poses(FILE *stream, unsigned choice)
+{
+    const size_t n_joints = 1 + choice % 7;
+    double *poses;
+    size_t n_poses;
+    const bool fine = poses_read(stream, "poses.csv", n_joints, &poses, &n_poses);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    REQUIRE(fine == (poses != NULL) && fine == (n_poses > 0));
+    for (size_t i = 0; i < n_poses * n_joints; i++) {
+        REQUIRE(isfinite(poses[i]));
+    }
+    free(poses);
+}
+
+static void check_values(const parameter_table *table, bool infinite_allowed, const double values[])
+{
+    for (size_t k = 0; k < table->n_columns; k++) {
+        const bool kept = values[k] == -1; /* as it was */
+        REQUIRE(kept || values[k] > 0);
+        REQUIRE(!(kept && table->all));
+        REQUIRE(infinite_allowed || kept || isfinite(values[k]));
+    }
+}
+
+static void check_parameters(FILE *stream, unsigned choice)
+{
+    const armtol_arm *arm = armtol_arm_at(choice / 4 % armtol_arm_count());
+    const bool all = choice % 2 != 0, infinite_allowed = choice / 2 % 2 != 0;
+    const size_t n = armtol_column_count(arm->links, arm->n_links);
+    armtol_column columns[MOST_COLUMNS];
+    double values[MOST_COLUMNS];
+    REQUIRE(n <= MOST_COLUMNS && armtol_columns(arm->links, arm->n_links, columns, n) == ARMTOL_OK);
+    const parameter_table table = {arm->links, columns, n, all ? "tolerance" : "weight", all};
+    for (size_t k = 0; k < n; k++) {
+        values[k] = -1;
+    }
+    const bool fine = parameters_read(stream, "table.csv", &table, infinite_allowed, values);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    if (fine) {
+        check_values(&table, infinite_allowed, values);
+    }
+}
+
+int LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+    (void)argc;
+    (void)argv;
+    caught_start("armtol");
+    return 0;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    if (size < 2) {
+        return 0;
+    }
+    FILE *stream = caught_file(data + 2, size - 2);
+    caught_forget();
+    if (data[0] % 2 == 0) {
+        check_poses(stream, data[1] - '0');
+    } else {
+        check_parameters(stream, data[1]);
+    }
+    fclose(stream);
+    return 0;
+}

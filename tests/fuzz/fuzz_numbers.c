@@ -1,0 +1,195 @@
+/*
+ * Numbers and lists of them: the first byte says which reader. What is taken is the number that the C library reads
+ * from the whole text, and what is written is read as the same number again.
+ */
+
+#include "harness.h"
+#include "require.h"
+
+#include "arm_model.h"
+#include "degrees.h"
+#include "message.h"
+#include "number.h"
+#include "number_list.h"
+#include "posed_arm.h"
+#include "weights.h"
+#include "whole_number.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+enum { MOST_BYTES = 4096, MOST_NUMBERS = 6 };
+
+static posed_arm posed; /* for the names of --weights */
+
+static bool same(double one, double other)
+{
+    return memcmp(&one, &other, sizeof one) == 0;
+}
+
+/* The neighbours of a double are the same number but for its last digit. */
+static bool is_near(double expected, double actual)
+{
+    return actual == expected || actual == nextafter(expected, -(double)INFINITY) ||
+           actual == nextafter(expected, (double)INFINITY);
+}
+
+/* ---- one number ---- */
+
+/* Long doubles have 64 bits where degrees matter here; elsewhere nothing is said. */
+static void check_degrees(const char *text, double value)
+{
+    const double radians = degrees_parse(text);
+    REQUIRE(isfinite(radians));
+    REQUIRE(signbit(radians) == signbit(value));
+    if (LDBL_MANT_DIG >= 64 && fabs(value) > 1e-280) {
+        const long double degree = 3.14159265358979323846264338327950288L / 180;
+        REQUIRE(is_near((double)(strtold(text, NULL) * degree), radians));
+    }
+}
+
+static void check_written(double value)
+{
+    number_text text;
+    double again;
+    REQUIRE(number_parse(number_shortest(value, &armtol_errata_none, &text), &again) == NUMBER_FINE);
+    REQUIRE(same(again, value));
+    REQUIRE(number_parse(degrees_shortest(value, &text), &again) == NUMBER_FINE || fabs(value) > DBL_MAX / 58);
+    if (fabs(value) > 1e-280 && fabs(value) < DBL_MAX / 58) {
+        REQUIRE(same(degrees_parse(text.text), value));
+    }
+}
+
+static void check_number(const char *text)
+{
+    double value = 1987;
+    const number_fault fault = number_parse(text, &value);
+    REQUIRE(caught_nothing());
+    if (fault != NUMBER_FINE) {
+        REQUIRE(value == 1987);
+        return;
+    }
+    char *end;
+    REQUIRE(strtod(text, &end) == value && *end == '\0' && isfinite(value));
+    check_degrees(text, value);
+    check_written(value);
+}
+
+/* The bytes are a double as it is kept. */
+static void check_bits(const char *text, size_t length)
+{
+    double value = 0;
+    memcpy(&value, text, length < sizeof value ? length : sizeof value);
+    if (isfinite(value)) {
+        check_written(value);
+    }
+}
+
+/* ---- lists ---- */
+
+/* The item that the list has at *at, which moves behind it and its comma: a list taken apart once more. */
+static double next_item(const char **at)
+{
+    char *end;
+    *at += strspn(*at, " \t\n");
+    const bool free = strncmp(*at, "-", 1) == 0 && strchr(" \t\n,", (*at)[1]) != NULL;
+    const double value = free ? (double)INFINITY : strtod(*at, &end);
+    *at = free ? *at + 1 : end;
+    *at += strspn(*at, " \t\n");
+    *at += **at == ',';
+    return value;
+}
+
+static void check_list(const char *text)
+{
+    for (int i = 0; i < 2; i++) {
+        double values[MOST_NUMBERS];
+        const size_t count = i == 0 ? 3 : MOST_NUMBERS;
+        caught_forget();
+        if (!number_list_parse("--list", text, "numbers", i == 1, count, values)) {
+            REQUIRE(caught_one_message());
+            continue;
+        }
+        REQUIRE(caught_nothing());
+        const char *at = text;
+        for (size_t k = 0; k < count; k++) {
+            REQUIRE(same(next_item(&at), values[k]));
+        }
+        REQUIRE(*at == '\0');
+    }
+}
+
+static void check_option(const char *text)
+{
+    double value, positive;
+    const bool fine = number_option_parse("--number", text, &value);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    caught_forget();
+    const bool is_positive = number_option_positive("--number", text, &positive);
+    REQUIRE(is_positive ? caught_nothing() : caught_one_message());
+    REQUIRE(is_positive == (fine && value > 0));
+    REQUIRE(!is_positive || same(value, positive));
+}
+
+static void check_whole(const char *text)
+{
+    uint64_t value = 0;
+    const bool fine = whole_number_parse("--whole", text, 1, 1000000000000u, &value);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    REQUIRE(!fine || (value >= 1 && value <= 1000000000000u));
+    REQUIRE(!fine || (double)value == strtod(text, NULL));
+}
+
+/* The weight of the last item is that of some column: it names one. */
+static void check_weights(const char *text)
+{
+    double weights[64];
+    REQUIRE(posed.n_columns <= sizeof weights / sizeof weights[0]);
+    if (strchr(text, '=') == NULL) {
+        return; /* the name of a file */
+    }
+    const bool fine = weights_parse(text, &posed, weights);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    if (!fine) {
+        return;
+    }
+    const double last = strtod(strrchr(text, '=') + 1, NULL);
+    bool any = false;
+    for (size_t k = 0; k < posed.n_columns; k++) {
+        REQUIRE(weights[k] > 0 && isfinite(weights[k]));
+        any = any || same(weights[k], last);
+    }
+    REQUIRE(any);
+}
+
+int LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+    static const double q[6];
+    (void)argc;
+    (void)argv;
+    caught_start("armtol");
+    REQUIRE(posed_arm_make(&posed, armtol_arm_named("stanford"), &armtol_tool_origin, q, 1));
+    return 0;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static void (*const readers[])(const char *) = {check_number, check_list, check_option, check_whole,
+                                                    check_weights};
+    enum { READERS = sizeof readers / sizeof readers[0] };
+    char text[MOST_BYTES + 1];
+    if (size == 0) {
+        return 0;
+    }
+    const size_t length = size - 1 < MOST_BYTES ? size - 1 : MOST_BYTES;
+    memcpy(text, data + 1, length);
+    text[length] = '\0';
+    caught_forget();
+    if (data[0] % (READERS + 1) == READERS) {
+        check_bits(text, length);
+    } else {
+        readers[data[0] % (READERS + 1)](text);
+    }
+    return 0;
+}

@@ -1,0 +1,144 @@
+/*
+ * Command lines: the first byte says of which program, each line behind it is an argument. Either they are taken, and
+ * all that came out is within its range, or there is one message.
+ */
+
+#include "harness.h"
+#include "require.h"
+
+#include "cli_options.h"
+#include "exit_code.h"
+#include "message.h"
+#include "options.h"
+#include "orders_options.h"
+#include "yield_options.h"
+
+#include <getopt.h>
+#include <math.h>
+#include <string.h>
+
+enum { MOST_ARGUMENTS = 40, MOST_BYTES = 4096 };
+
+typedef struct command_line {
+    int argc;
+    char *argv[MOST_ARGUMENTS + 1];
+    char text[MOST_BYTES + 1];
+} command_line;
+
+static void cut_up(command_line *line, const uint8_t *data, size_t size)
+{
+    static char name[] = "program";
+    const size_t kept = size < MOST_BYTES ? size : MOST_BYTES;
+    memcpy(line->text, data, kept);
+    line->text[kept] = '\0';
+    line->argc = 1;
+    line->argv[0] = name;
+    char *at = line->text;
+    while (*at != '\0' && line->argc < MOST_ARGUMENTS) {
+        line->argv[line->argc++] = at;
+        at += strcspn(at, "\n");
+        if (*at == '\n') {
+            *at++ = '\0';
+        }
+    }
+    line->argv[line->argc] = NULL;
+}
+
+/* The text of an argument, from somewhere in it on. */
+static bool is_typed(const command_line *line, const char *text)
+{
+    return text == NULL || (text >= line->text && text <= line->text + MOST_BYTES);
+}
+
+static int check_1987(command_line *line)
+{
+    options options;
+    const int code = options_parse(line->argc, line->argv, &options);
+    if (code == EXIT_OK) {
+        REQUIRE(options.run >= 1 && options.run <= 999999);
+        REQUIRE(options.action <= ACTION_VERSION);
+        REQUIRE(strcmp(options.folder, ".") == 0 || is_typed(line, options.folder));
+    }
+    return code;
+}
+
+static void check_question(const cli_options *options)
+{
+    REQUIRE((options->joints != NULL) != (options->poses != NULL));
+    REQUIRE(options->accuracy != NULL || options->tolerances != NULL);
+    REQUIRE(options->weights == NULL || (options->tolerances == NULL && options->method != METHOD_SPHERE));
+    REQUIRE(options->delta == NULL || options->method == METHOD_SPHERE);
+    REQUIRE(options->format != OUTPUT_CSV || (!options->budget && options->verify == 0));
+    REQUIRE((!options->seed_given && options->threads == 0) || options->verify != 0);
+}
+
+static int check_armtol(command_line *line)
+{
+    cli_options options;
+    const int code = cli_options_parse(line->argc, line->argv, &options);
+    if (code == EXIT_OK) {
+        const char *const texts[] = {options.arm,         options.base,    options.tip,   options.joints,
+                                     options.poses,       options.accuracy, options.delta, options.weights,
+                                     options.tool_offset, options.tolerances};
+        for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+            REQUIRE(is_typed(line, texts[i]));
+        }
+        REQUIRE(options.sigma > 0 && isfinite(options.sigma));
+        REQUIRE(options.threads <= 1024 && options.verify <= 1000000000000u);
+        REQUIRE(options.method < METHOD_COUNT && options.frame < ARMTOL_FRAME_COUNT);
+        REQUIRE(options.format <= OUTPUT_CSV && options.length <= UNITS_LARGE && options.angle <= UNITS_LARGE);
+        const bool needs_arm = options.action == CLI_ANSWER || options.action == CLI_SHOW;
+        REQUIRE(!needs_arm || options.arm != NULL);
+        if (options.action == CLI_ANSWER) {
+            check_question(&options);
+        }
+    }
+    return code;
+}
+
+static int check_yield(command_line *line)
+{
+    yield_options options;
+    const int code = yield_options_parse(line->argc, line->argv, &options);
+    if (code == EXIT_OK && options.action == YIELD_RUN) {
+        REQUIRE(options.published != NULL && is_typed(line, options.published));
+        REQUIRE(options.samples >= 1 && options.samples <= 10000000);
+        REQUIRE(options.format < FORMAT_COUNT);
+    }
+    return code;
+}
+
+static int check_orders(command_line *line)
+{
+    orders_options options;
+    const int code = orders_options_parse(line->argc, line->argv, &options);
+    if (code == EXIT_OK && options.action == ORDERS_RUN) {
+        REQUIRE(options.published != NULL && is_typed(line, options.published));
+        REQUIRE(options.format < FORMAT_COUNT);
+    }
+    return code;
+}
+
+int LLVMFuzzerInitialize(int *argc, char ***argv)
+{
+    (void)argc;
+    (void)argv;
+    caught_start("armtol");
+    return 0;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    static int (*const programs[])(command_line *) = {check_armtol, check_1987, check_yield, check_orders};
+    command_line line;
+    if (size == 0) {
+        return 0;
+    }
+    caught_forget();
+    cut_up(&line, data + 1, size - 1);
+    optind = 0; /* glibc's getopt then starts anew */
+    const int code = programs[data[0] % 4](&line);
+    REQUIRE(code == EXIT_OK || code == EXIT_WRONG);
+    REQUIRE(code == EXIT_OK ? caught_nothing() : caught_one_message());
+    return 0;
+}

@@ -1,0 +1,370 @@
+#!/usr/bin/env python3
+"""Would the tests notice? Small changes (mutants) of the sources of the library and the programs, one at a time.
+
+    mutants.py SOURCE BUILD --mutants N --seed S [--jobs J] [--only REGEX]
+
+All mutants of the chosen files are made by universalmutator, shuffled with the seed, and taken in turn: one that does
+not compile, or whose object file at -O2 is the original's, is no mutant and is passed over, until there are N. Each is
+put into a copy of the tree below BUILD and built, and the tests run until one fails: killed. What no test notices is
+listed, unless tests/trust/survivors.tsv says why nothing could notice it.
+
+Exit status: 0 at least 95 of 100 are killed or explained; 1 fewer; 2 usage.
+"""
+
+import argparse
+import concurrent.futures
+import hashlib
+import json
+import os
+import pathlib
+import queue
+import random
+import re
+import shlex
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+FOLDERS = ("src/lib", "src/program", "src/armtol")
+WANTED = 0.95
+TEST_SECONDS = 20
+SLOWER = 4 # where the machine is shared: no timeout before this many times what the unchanged tree takes
+EXPLAINED = "tests/trust/survivors.tsv"
+
+# Tests that run many times as long as the others, or build the project once more.
+HEAVY = r"^(memcheck|build|fault|fuzz|machines)_|^(install|example|man)|_legacy$|^test_(joint_orders.*|yield|reproduce)$"
+
+# Where a folder's mistakes show first; the tests of the file's own name go before these, all others after them.
+FIRST = {
+    "src/lib": ("test_published", "test_errata_effects", "test_robots", "test_tool_error", "test_answer"),
+    "src/program": ("test_number", "test_options", "test_files", "test_armtol", "test_wrong_input", "test_faults"),
+    "src/armtol": ("test_answer", "test_armtol", "test_lists", "test_arm_file", "test_urdf", "test_verification"),
+}
+OWN = {
+    "allocation": "test_allocation", "arm": "test_arm|test_every_arm", "intelledex": "test_robots",
+    "adept": "test_robots", "pose": "test_poses|test_tool_matrix", "sampler": "test_sampler",
+    "sphere": "test_sphere", "corners": "test_corners", "tool_matrix": "test_tool_matrix",
+    "quad": "test_poses", "lane": "test_poses", "sincos": "test_sampler|test_poses", "matrix_kernel": "test_sampler",
+    "triple": "test_poses", "frame_kernel": "test_sampler", "rotation": "test_sampler", "draw_kernel": "test_sampler",
+    "outfile": "test_files|test_faults|test_full_disk", "options": "test_options", "flags": "test_options",
+    "number": "test_number", "whole_number": "test_number|test_armtol", "dialogue": "test_terminal|test_wrong_input",
+    "reader": "test_wrong_input|test_terminal", "session": "test_files", "report": "test_files", "help": "test_options",
+    "analysis": "test_published|test_files", "table": "test_yield", "message": "test_wrong_input",
+    "lists_": "test_lists", "cells": "test_lists|test_arm_file", "urdf": "test_urdf|test_urdf_memory",
+    "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "weights": "test_answer",
+    "budget": "test_answer", "parts": "test_answer", "output_json": "armtol_json", "json": "armtol_json",
+    "number_list": "test_number_list", "text_": "test_armtol|test_arm_file", "output_": "test_armtol",
+    "cli_": "test_armtol", "degrees": "test_degrees", "progress": "test_verification",
+}
+
+
+def fail(text):
+    print("mutants: " + text, file=sys.stderr)
+    sys.exit(2)
+
+
+# ---- the mutants that there may be ----
+
+def sources(root, only):
+    files = []
+    for folder in FOLDERS:
+        files += sorted(p for p in (root / folder).rglob("*.c"))
+        files += sorted(p for p in (root / folder).rglob("*.h") if re.search(r"static inline|LANE", p.read_text()))
+    names = [str(p.relative_to(root)) for p in files]
+    return [name for name in names if re.search(only, name)]
+
+
+def code_only(text):
+    """The text with comments made blank, line by line as long as before: a comment's mutants are none."""
+    return re.sub(r"/\*.*?\*/", lambda m: re.sub(r"[^\n]", " ", m.group()), text, flags=re.S)
+
+
+def mutants_of(root, name):
+    from universalmutator import mutator
+    lines = (root / name).read_text().splitlines(keepends=True)
+    code = code_only("".join(lines)).splitlines(keepends=True)
+    devnull = open(os.devnull, "w")
+    stdout, sys.stdout = sys.stdout, devnull
+    try:
+        found = mutator.mutants_regexp(lines, ruleFiles=["universal.rules", "c.rules", "c_like.rules"], ignorePatterns=[])
+    finally:
+        sys.stdout = stdout
+        devnull.close()
+    seen, result = set(), []
+    for mutant in found:
+        number, changed = mutant[0], mutant[1]
+        line = code[number - 1].strip()
+        if not line or line.startswith("#") or changed == lines[number - 1] or (number, changed) in seen:
+            continue
+        seen.add((number, changed))
+        result.append((name, number, changed))
+    return result
+
+
+# ---- does it compile, to something else? ----
+
+class Compiler:
+    """Compiles the units that a file is part of, as the build does but at -O2."""
+
+    def __init__(self, root, build):
+        self.root = root
+        self.units = {}
+        for entry in json.loads((build / "compile_commands.json").read_text()):
+            path = os.path.relpath(entry["file"], root)
+            if path.startswith(FOLDERS) and path not in self.units:
+                self.units[path] = (shlex.split(entry["command"]), entry["directory"])
+        self.originals = {}
+        self.including = {}
+
+    def _run(self, unit, extra, output):
+        words, folder = self.units[unit]
+        words = words[:words.index("-o")] + words[words.index("-o") + 2:]
+        command = words + ["-O2", "-w"] + extra + ["-o", output]
+        return subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+
+    def units_of(self, name):
+        if name in self.units:
+            return [name]
+        if not self.including:
+            for unit in self.units:
+                for header in self._run(unit, ["-MM"], "/dev/stdout").stdout.decode().replace("\\\n", " ").split():
+                    path = os.path.relpath(os.path.join(self.units[unit][1], header), self.root)
+                    self.including.setdefault(path, []).append(unit)
+        return self.including.get(name, [])
+
+    def _object(self, unit, output):
+        if self._run(unit, [], output).returncode != 0:
+            return None
+        subprocess.run(["strip", "--strip-debug", output], check=False)
+        return hashlib.sha256(pathlib.Path(output).read_bytes()).digest()
+
+    def differs(self, name, output):
+        """None where it does not compile."""
+        different = False
+        for unit in self.units_of(name):
+            now = self._object(unit, output)
+            if now is None:
+                return None
+            different = different or now != self.originals[unit]
+        return different
+
+    def remember(self, name, output):
+        for unit in self.units_of(name):
+            if unit not in self.originals:
+                self.originals[unit] = self._object(unit, output)
+
+
+# ---- one tree, and what its tests say ----
+
+class Tree:
+    def __init__(self, source, folder, cmake):
+        self.root, self.build = folder / "source", folder / "build"
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(source, self.root, symlinks=True, ignore=shutil.ignore_patterns(".git", "build", "build-*"))
+        run = lambda *words: subprocess.run(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        done = run("cmake", "-S", str(self.root), "-B", str(self.build), "-DBUILD_TESTING=ON",
+                   "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_C_FLAGS_RELEASE=-O1",
+                   "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *cmake)
+        if done.returncode == 0:
+            done = run("cmake", "--build", str(self.build), "--parallel", "2")
+        if done.returncode != 0:
+            fail("the unchanged tree does not build:\n" + done.stdout[-3000:])
+        self.compiler = Compiler(self.root, self.build)
+        self.seconds = {}
+        listed = json.loads(run("ctest", "--test-dir", str(self.build), "--show-only=json-v1").stdout)
+        self.tests = [t["name"] for t in listed["tests"] if not re.search(HEAVY, t["name"])]
+
+    def try_unchanged(self):
+        """Times the tests; one that fails in the unchanged tree says nothing, and is returned."""
+        failing = []
+        for test in self.tests:
+            start = time.monotonic()
+            if self._ctest([test]) != "passed":
+                failing.append(test)
+            self.seconds[test] = time.monotonic() - start
+        self.tests = [test for test in self.tests if test not in failing]
+        return failing
+
+    def _limit(self, tests):
+        return max([TEST_SECONDS] + [int(SLOWER * self.seconds.get(test, 0)) for test in tests])
+
+    def _ctest(self, tests):
+        pattern = "^(" + "|".join(tests) + ")$"
+        words = ["ctest", "--test-dir", str(self.build), "-R", pattern, "--stop-on-failure",
+                 "--timeout", str(self._limit(tests)), "--output-on-failure"]
+        group = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, start_new_session=True)
+        try:
+            said = group.communicate(timeout=60 + self._limit(tests) * len(tests))[0].decode(errors="replace")
+        except subprocess.TimeoutExpired:
+            os.killpg(group.pid, signal.SIGKILL)
+            group.communicate()
+            return "timeout"
+        if group.returncode == 0:
+            return "passed"
+        return "timeout" if "***Timeout" in said else "killed"
+
+    def _make(self, targets):
+        words = ["cmake", "--build", str(self.build), "--parallel", "1"]
+        for target in targets:
+            words += ["--target", target]
+        return subprocess.run(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
+
+    def _own_tests(self, name):
+        stem = pathlib.Path(name).stem
+        wanted = {"test_" + stem}
+        for start, pattern in OWN.items():
+            if stem.startswith(start) or (start in stem and start.endswith("kernel")):
+                wanted |= set(pattern.split("|"))
+        return [t for t in self.tests if t in wanted]
+
+    def steps(self, name):
+        own = self._own_tests(name)
+        folder = next(f for f in FOLDERS if name.startswith(f + "/"))
+        first = [t for t in FIRST[folder] if t in self.tests and t not in own]
+        rest = [t for t in self.tests if t not in own and t not in first]
+        return [step for step in (own, first, rest) if step]
+
+    def judge(self, mutant):
+        """'killed', 'timeout', 'survived'; None for what is no mutant."""
+        name, number, changed = mutant
+        path = self.root / name
+        original = path.read_text()
+        lines = original.splitlines(keepends=True)
+        scratch = str(self.build / "mutant.o")
+        self.compiler.remember(name, scratch)
+        lines[number - 1] = changed
+        try:
+            path.write_text("".join(lines))
+            if not self.compiler.differs(name, scratch):
+                return None
+            built = False
+            for place, step in enumerate(self.steps(name)):
+                executables = [t for t in step if t.startswith("test_")]
+                if place == 0 and len(executables) == len(step):
+                    if not self._make(executables):
+                        return None
+                elif not built:
+                    built = True
+                    if not self._make([]):
+                        return None
+                found = self._ctest(step)
+                if found != "passed":
+                    return found
+            return "survived"
+        finally:
+            path.write_text(original)
+
+
+# ---- all of it ----
+
+def explained(root):
+    path = root / EXPLAINED
+    reasons = {}
+    if path.exists():
+        for line in path.read_text().splitlines():
+            cells = line.split("\t")
+            if len(cells) == 4 and not line.startswith("#"):
+                reasons[tuple(cells[:3])] = cells[3]
+    return reasons
+
+
+def key_of(root, mutant):
+    name, number, changed = mutant
+    return name, (root / name).read_text().splitlines()[number - 1].strip(), changed.strip()
+
+
+def draw(trees, pool, wanted, report):
+    """The first `wanted` of the pool that are mutants, judged, in the pool's order whatever finishes first."""
+    free = queue.Queue()
+    for tree in trees:
+        free.put(tree)
+
+    def judge(mutant):
+        tree = free.get()
+        try:
+            return tree.judge(mutant)
+        finally:
+            free.put(tree)
+
+    results, pending, position = [], [], iter(pool)
+    with concurrent.futures.ThreadPoolExecutor(len(trees)) as threads:
+        while len(results) < wanted:
+            while len(pending) < len(trees) + 1:
+                mutant = next(position, None)
+                if mutant is None:
+                    break
+                pending.append((mutant, threads.submit(judge, mutant)))
+            if not pending:
+                break
+            mutant, future = pending.pop(0)
+            verdict = future.result()
+            if verdict is not None:
+                results.append((mutant, verdict))
+                report(len(results), mutant, verdict)
+        for _, future in pending:
+            future.cancel()
+    return results
+
+
+def print_table(results, reasons, root):
+    print("\n%-12s %8s %8s %8s %10s %9s" % ("folder", "mutants", "killed", "timeout", "equivalent", "survived"))
+    good = 0
+    for folder in FOLDERS + ("all",):
+        mine = [(m, v) for m, v in results if folder == "all" or m[0].startswith(folder + "/")]
+        same = [m for m, v in mine if v == "survived" and key_of(root, m) in reasons]
+        count = lambda verdict: sum(v == verdict for _, v in mine)
+        print("%-12s %8d %8d %8d %10d %9d" % (folder, len(mine), count("killed"), count("timeout"), len(same),
+                                              count("survived") - len(same)))
+        good = count("killed") + count("timeout") + len(same)
+    return good / max(1, len(results))
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("source", type=pathlib.Path)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--mutants", type=int, default=100)
+    parser.add_argument("--seed", default="1")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", default="")
+    parser.add_argument("--cmake", action="append", default=[])
+    asked = parser.parse_args()
+    root, build = asked.source.resolve(), asked.build.resolve()
+    try:
+        import universalmutator  # noqa: F401
+    except ImportError:
+        fail("the Python package universalmutator is not to be had")
+
+    pool = [mutant for name in sources(root, asked.only) for mutant in mutants_of(root, name)]
+    random.Random(asked.seed).shuffle(pool)
+    print("%d mutants, drawn with seed %s from %d" % (asked.mutants, asked.seed, len(pool)), flush=True)
+
+    trees = [Tree(root, build / ("tree-%d" % i), asked.cmake) for i in range(asked.jobs)]
+    failing = trees[0].try_unchanged()
+    for tree in trees[1:]:
+        tree.tests, tree.seconds = trees[0].tests, trees[0].seconds
+    if failing:
+        print("left out, they fail in the unchanged tree: " + " ".join(failing))
+    print("%d tests, %d seconds each at the most" % (len(trees[0].tests), TEST_SECONDS), flush=True)
+    reasons = explained(root)
+    lines = {}
+
+    def report(n, mutant, verdict):
+        name, number, changed = mutant
+        if name not in lines:
+            lines[name] = (root / name).read_text().splitlines()
+        known = verdict == "survived" and reasons.get(key_of(root, mutant))
+        print("%4d %-9s %s:%d" % (n, "equivalent" if known else verdict, name, number), flush=True)
+        if verdict == "survived" and not known:
+            print("     - %s\n     + %s" % (lines[name][number - 1].strip(), changed.strip()), flush=True)
+
+    results = draw(trees, pool, asked.mutants, report)
+    share = print_table(results, reasons, root)
+    print("\n%.1f of 100 noticed or explained; wanted: %.0f" % (100 * share, 100 * WANTED))
+    sys.exit(0 if share >= WANTED else 1)
+
+
+if __name__ == "__main__":
+    main()
