@@ -15,7 +15,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
-.PHONY: analyse coverage mutants
+.PHONY: analyse coverage fuzz mutants
 .PHONY: all run test golden diff era machines book book-check check-faults install clean setup
 
 all: setup $(BUILD)/wished-expat
@@ -60,6 +60,13 @@ check-faults: setup $(BUILD)/wished-expat $(BUILD)/wished-valgrind
 	$(call quietly,$(COMPILE),compile)
 	@ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error --tests-regex '^fault_'
 	@tests/faults/summary $(BUILD)/Testing/Temporary/LastTest.log
+
+# All that is read, given whatever clang's libFuzzer makes up: FUZZ_SECONDS for each of the harnesses, JOBS at a time. The
+# inputs that reach something new stay in the build folder.
+FUZZ_SECONDS ?= 600
+fuzz: setup $(BUILD)/wished-expat
+	@.ci/setup clang
+	@tests/fuzz/run-fuzzers $(BUILD)/fuzz $(FUZZ_SECONDS) $(JOBS)
 
 # How fast the library is, beside loops written by hand: compiled for this machine, then as it comes.
 bench: setup

@@ -31,5 +31,10 @@ LANE_INLINE void LANED(one_pose)(const armtol_poses *poses, const double q[], do
         sines_of(poses->links + i, poses->n_links - i, q, sines, cosines, lanes);
         q = LANED(walk_some)(poses->links + i, poses->n_links - i, q, sines, cosines, &view, &frame);
     }
-    LANED(finish)(poses, &frame, &view, bounds);
+    /* compiled once for each way of counting: here a question at every column would be felt */
+    if (poses->tool.frame == ARMTOL_TOOL_FRAME) {
+        LANED(finish)(poses, &frame, &frame, &view, bounds);
+    } else {
+        LANED(finish)(poses, &frame, NULL, &view, bounds);
+    }
 }

@@ -70,18 +70,17 @@ LANE_INLINE void LANED(finish_links)(const armtol_poses *poses, const matrix_vie
     }
 }
 
-/* The second half: the frame has come to the end of the chain. Compiled once for each way of counting. */
-LANE_INLINE void LANED(finish)(const armtol_poses *poses, const LANED(frame) *last, const matrix_view *matrix,
+/*
+ * The second half: the frame has come to the end of the chain. Errors are counted along the axes of `along`,
+ * NULL for the base's.
+ */
+LANE_INLINE void LANED(finish)(const armtol_poses *poses, const LANED(frame) *last,
+                               const LANED(frame) *along, const matrix_view *matrix,
                                armtol_bounds bounds[LANES])
 {
-    LANED(target) target = {.along = NULL};
+    LANED(target) target = {.along = along};
     LANED(point_of)(last, poses->tool.offset, target.point);
-    if (poses->tool.frame == ARMTOL_TOOL_FRAME) {
-        target.along = last;
-        LANED(finish_links)(poses, matrix, &target, bounds);
-    } else {
-        LANED(finish_links)(poses, matrix, &target, bounds);
-    }
+    LANED(finish_links)(poses, matrix, &target, bounds);
 }
 
 LANE_INLINE void LANED(poses)(const armtol_poses *poses, const double *const q[LANES],
@@ -97,7 +96,7 @@ LANE_INLINE void LANED(poses)(const armtol_poses *poses, const double *const q[L
         LANED(walk_link)(link, &setting, matrix, &frame);
         joint += link->joint != ARMTOL_FIXED;
     }
-    LANED(finish)(poses, &frame, matrix, bounds);
+    LANED(finish)(poses, &frame, poses->tool.frame == ARMTOL_TOOL_FRAME ? &frame : NULL, matrix, bounds);
 }
 
 /* A block, its poses from the first to the last of it. */

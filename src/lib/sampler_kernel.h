@@ -7,8 +7,9 @@
 #include "rotation_kernel.h"
 
 /*
- * The errors of so many parameters of a link, each a share of its tolerance. All are drawn step by step together:
- * one alone is a long chain of operations that wait for each other. state is that of the arms' first columns.
+ * The errors of so many parameters of a link, each a share of its tolerance. All are drawn step by step
+ * together: one alone is a long chain of operations that wait for each other. state is that of the arms'
+ * first columns.
  */
 LANE_INLINE void LANED(draw_some)(const armtol_sampled_link *link, size_t n, const BITS *state,
                                   REAL errors[ARMTOL_PARAMETER_COUNT])

@@ -7,8 +7,10 @@
 
 /*
  * Files that appear whole or not at all. Each is written under a temporary name in its folder and renamed when
- * all that belong together are complete. Until then what stood there before is untouched. Only where the folder
- * refuses the second of two renames (another user's file in a sticky folder, say) does the first one stay.
+ * all that belong together are complete. Until then what stood there before is untouched. Every file is whole at every
+ * moment. Files that belong together are of two runs only where the renames come apart: the folder refuses the second
+ * of two (another user's file in a sticky folder, say), SIGKILL or a crash of the machine comes between them, or those
+ * of another run with the same names do.
  */
 
 typedef struct folder {

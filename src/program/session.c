@@ -124,9 +124,9 @@ static int second_part(session *session, dialogue *dialogue, const folder *folde
     static const char *const delta_name[1] = {"delta"};
     const question accuracy = {"enter desired position and orientation tolerances: ", tolerance_names, 6};
     const question share = {"enter desired delta: ", delta_name, 1};
-    double delta[1];
     int code = dialogue_ask(dialogue, &accuracy, judge_tolerances, session, session->tolerances);
     if (code == EXIT_OK) {
+        double delta[1];
         code = dialogue_ask(dialogue, &share, judge_delta, session, delta);
     }
     return code == EXIT_OK ? write_pair(session, folder, run, REPORT_TOLERANCES) : code;

@@ -64,19 +64,20 @@ static void test_metres_are_a_thousand_millimetres(void)
     check_same(&plain, &mm, "the Puma's unit");
     const double in_mm = number_after(&mm, "\"distance\": "), in_m = number_after(&metres, "\"distance\": ");
     TEST_ASSERT_TRUE(in_mm > 0 && fabs(in_m * 1000 / in_mm - 1) < 1e-12);
-    const double of_mm = number_after(&mm, "\"angle\": "), of_m = number_after(&metres, "\"angle\": ");
+    /* the first tolerance is a motor's */
+    const double of_mm = number_after(&mm, "\"tolerance\": "), of_m = number_after(&metres, "\"tolerance\": ");
     TEST_ASSERT_TRUE(of_mm > 0 && fabs(of_m / of_mm - 1) < 1e-12);
 }
 
 /* ---- weights ---- */
 
-/* A class is the parameters in it: the Puma turns in theta, and has no beta. */
+/* A class is the parameters in it: the Puma's motors all turn, in theta. */
 static void test_a_class_of_weights_is_its_parameters(void)
 {
-    static const char *const same[][2] = {{"angles=2", "theta=2,alpha=2"},
+    static const char *const same[][2] = {{"angles=2", "theta=2,alpha=2,beta=2"},
                                           {"lengths=2", "d=2,a=2"},
                                           {"motors=3", "theta=3"},
-                                          {"machining=3", "d=3,a=3,alpha=3"}};
+                                          {"machining=3", "d=3,a=3,alpha=3,beta=3"}};
     process by_class, by_name;
     for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
         run_well(&by_class, NULL, (const char *const[]){ASKED, "--weights", same[i][0], "--csv", NULL});
@@ -163,10 +164,10 @@ static void test_a_title_is_escaped_in_json(void)
 {
     const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
     process process;
-    file_write(file.text, "name: my\ntitle: \"a\" \\ b\nunits: mm rad\njoint,a,alpha,d,theta\nr,100,0,0,0\n");
+    file_write(file.text, "name: my\ntitle: \"x \"\"a\"\" \\ b\"\nunits: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
     run_well(&process, folder.text, (const char *const[]){"my.csv", "--joints", "0", "--accuracy", "1,1,-,-,-,.1",
                                                           "--json", NULL});
-    check_says(&process, "\\\"a\\\" \\\\ b");
+    check_says(&process, "\"x \\\"a\\\" \\\\ b\"");
 }
 
 /* ---- how far it is ---- */
@@ -213,7 +214,7 @@ static const wrong_call wrong_calls[] = {
 static void test_what_contradicts_itself_is_refused(void)
 {
     const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
-    file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\nr,100,0,0,0\n");
+    file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
     for (size_t i = 0; i < sizeof wrong_calls / sizeof wrong_calls[0]; i++) {
         const wrong_call *call = &wrong_calls[i];
         process process;

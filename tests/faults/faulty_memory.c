@@ -29,10 +29,16 @@ enum { MOST_BLOCKS = 1 << 12 };
 static void *blocks[MOST_BLOCKS];
 static size_t n_blocks; /* places that have been used */
 
+/* Between the beginning and the end of main. */
+static bool in_main(void)
+{
+    return faulty_outcome != NULL && !faulty_outcome->ended;
+}
+
 static void keep(void *block, const void *caller)
 {
     const bool own = (uintptr_t)caller >= program_begin && (uintptr_t)caller < program_end;
-    if (faulty_outcome == NULL || block == NULL || !own) {
+    if (!in_main() || block == NULL || !own) {
         return;
     }
     size_t i = 0;
@@ -48,7 +54,7 @@ static void keep(void *block, const void *caller)
 
 static void drop(const void *block)
 {
-    for (size_t i = 0; faulty_outcome != NULL && block != NULL && i < n_blocks; i++) {
+    for (size_t i = 0; in_main() && block != NULL && i < n_blocks; i++) {
         if (blocks[i] == block) {
             blocks[i] = NULL;
             faulty_outcome->live--;
@@ -59,7 +65,7 @@ static void drop(const void *block)
 
 static bool fails(void)
 {
-    if (faulty_outcome == NULL) {
+    if (!in_main()) {
         return false;
     }
     const long n = ++faulty_outcome->allocations;

@@ -67,7 +67,9 @@ double bytes_angle(bytes *bytes)
     if (kind == 5) { /* nearly parallel, about a degree, about what counts as rounding */
         return ((int)bytes_below(bytes, 5) - 2) * QUARTER + fraction(bytes) * pow(10, -(int)bytes_below(bytes, 18));
     }
-    return bytes_number(bytes, 2 * QUARTER);
+    const double angle = bytes_number(bytes, 2 * QUARTER);
+    bytes->wild = bytes->wild || !(fabs(angle) < 100); /* what is added to it then loses digits */
+    return angle;
 }
 
 /* FNV-1a. */

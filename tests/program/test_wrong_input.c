@@ -150,7 +150,7 @@ typedef struct bad_word {
 } bad_word;
 
 /* A literal with its length, zero bytes included. */
-#define BYTES(literal) literal, sizeof literal - 1
+#define BYTES(literal) (literal), sizeof(literal) - 1
 
 #define NOT_A_NUMBER "is not a number; expected a decimal number"
 #define NOT_FINITE "is not a finite number"

@@ -325,7 +325,8 @@ static void test_a_corner_is_optimal_for_a_range_of_weights(void)
 {
     static const double matrix[4] = {2, 1, 1, 2};
     set(&given, ARMTOL_WORST_CASE, 2, 2, matrix);
-    for (double w = 0.05; w < 1; w += 0.1) {
+    for (int i = 0; i < 10; i++) {
+        const double w = 0.05 + 0.1 * i;
         given.weights[0] = w;
         given.weights[1] = 1 - w;
         solve(&given, &found, "corner");

@@ -219,8 +219,8 @@ static void test_series_are_good_to_rounding_up_to_where_they_end(void)
 }
 
 /*
- * The largest of the draws becomes almost a half turn, where next to nothing of the turn's sine is left: about z
- * (theta), x (alpha) and y (beta).
+ * The largest of the draws becomes almost a half turn, where next to nothing of the turn's sine is left:
+ * about z (theta), x (alpha) and y (beta).
  */
 static void check_half_turn(size_t column, size_t axis, double less)
 {
