@@ -14,6 +14,13 @@ static uint8_t next(bytes *bytes)
     return *bytes->at++;
 }
 
+bytes bytes_start(const uint8_t *data, size_t size)
+{
+    bytes bytes = {data, size, false, false};
+    bytes.tame = bytes_below(&bytes, 4) != 0;
+    return bytes;
+}
+
 unsigned bytes_below(bytes *bytes, unsigned count)
 {
     return next(bytes) % count;
@@ -52,7 +59,7 @@ double bytes_number(bytes *bytes, double scale)
     case 5:
         return scale * fraction(bytes) * pow(10, (int)bytes_below(bytes, 16) - 12);
     case 6:
-        return any_double(bytes);
+        return bytes->tame ? scale : any_double(bytes);
     default:
         return scale * fraction(bytes);
     }

@@ -9,15 +9,19 @@
 typedef struct bytes {
     const uint8_t *at;
     size_t left;
-    bool wild; /* a number came out that is not of an arm's size */
+    bool tame; /* all numbers are of an arm's size */
+    bool wild; /* one came out that is not */
 } bytes;
+
+/* The first byte says whether numbers stay tame: in three inputs of four. */
+bytes bytes_start(const uint8_t *data, size_t size);
 
 /* A whole number from 0 to count - 1, of one byte. */
 unsigned bytes_below(bytes *bytes, unsigned count);
 
 /*
  * A number: mostly one that arms have (0, parts of scale), now and then a very small or large one, or any double at
- * all, which may be nan.
+ * all, which may be nan, where they need not be tame.
  */
 double bytes_number(bytes *bytes, double scale);
 

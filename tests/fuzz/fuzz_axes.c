@@ -208,7 +208,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    bytes bytes = {data, size, false};
+    bytes bytes = bytes_start(data, size);
     problem problem;
     armtol_link links[ARMTOL_LINKS_OF_AXES(MOST_AXES)];
     size_t n_links = 0;

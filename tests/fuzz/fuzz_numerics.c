@@ -394,7 +394,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    bytes bytes = {data, size, false};
+    bytes bytes = bytes_start(data, size);
     static problem problem;
     double tolerances[MOST_COLUMNS];
     take_problem(&bytes, &problem);
