@@ -365,7 +365,8 @@ static void test_places_that_are_taken(void)
                     faulted_check_message(&run, programs[i].name, "exists and is not a regular file", what.text);
                 } else {
                     TEST_ASSERT_TRUE_MESSAGE(S_ISREG(after.st_mode), what.text);
-                    TEST_ASSERT_EQUAL_INT(FILES, check_session_files(folder.text, &programs[i], false, false, what.text));
+                    const int n_new = check_session_files(folder.text, &programs[i], false, false, what.text);
+                    TEST_ASSERT_EQUAL_INT_MESSAGE(FILES, n_new, what.text);
                 }
                 faulted_end();
             }
