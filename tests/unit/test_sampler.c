@@ -52,13 +52,13 @@ static size_t start(size_t n_links, const armtol_tool_point *tool, uint64_t seed
     return n;
 }
 
-/* Every fifth parameter is exact. */
+/* Every seventh parameter is exact, so that a link has three to five that are not. */
 static void set_tolerances(size_t n, double length, double angle, size_t n_links)
 {
     armtol_column columns[MOST_COLUMNS];
     armtol_columns(links, n_links, columns, n);
     for (size_t k = 0; k < n; k++) {
-        tolerances[k] = k % 5 == 4 ? 0 : armtol_parameter_is_length(columns[k].parameter) ? length : angle;
+        tolerances[k] = k % 7 == 4 ? 0 : armtol_parameter_is_length(columns[k].parameter) ? length : angle;
     }
 }
 
