@@ -94,18 +94,20 @@ static armtol_status share_sphere(const request *request, answer *answer)
     return status;
 }
 
-static bool find_tolerances(const request *request, answer *answer)
+/* An exit code. What has no tolerances, a delta too large say, is wrong input; that none are found is not. */
+static int find_tolerances(const request *request, answer *answer)
 {
     armtol_status status;
     if (request->options->method == METHOD_SPHERE) {
         status = share_sphere(request, answer);
     } else if (!optimise(request, answer, &status)) {
-        return false;
+        return EXIT_FAILED;
     }
-    if (status != ARMTOL_OK) {
-        message("no tolerances: %s", armtol_status_text(status));
+    if (status == ARMTOL_OK) {
+        return EXIT_OK;
     }
-    return status == ARMTOL_OK;
+    message("no tolerances: %s", armtol_status_text(status));
+    return status == ARMTOL_NOT_SOLVED ? EXIT_FAILED : EXIT_WRONG;
 }
 
 /* ---- what follows from them ---- */
@@ -143,20 +145,23 @@ static bool get_memory(answer *answer, const posed_arm *posed)
     return answer->tolerances != NULL && answer->bounded != NULL && answer->parts != NULL;
 }
 
-static bool fill(const request *request, answer *answer)
+static int fill(const request *request, answer *answer)
 {
     const posed_arm *posed = &request->posed;
-    if (request->tolerances != NULL) {
+    if (request->tolerances == NULL) {
+        const int code = find_tolerances(request, answer);
+        if (code != EXIT_OK) {
+            return code;
+        }
+    } else {
         memcpy(answer->tolerances, request->tolerances, posed->n_columns * sizeof *answer->tolerances);
-    } else if (!find_tolerances(request, answer)) {
-        return false;
     }
     for (size_t k = 0; k < posed->n_columns; k++) {
         answer->bounded[k] = isfinite(answer->tolerances[k]) ? answer->tolerances[k] : 0;
     }
     parts_make(request, answer->tolerances, answer->parts);
     predict(posed, answer);
-    return true;
+    return EXIT_OK;
 }
 
 int answer_make(answer *answer, const request *request)
@@ -167,11 +172,11 @@ int answer_make(answer *answer, const request *request)
         answer_free(answer);
         return EXIT_FAILED;
     }
-    if (!fill(request, answer)) {
+    const int code = fill(request, answer);
+    if (code != EXIT_OK) {
         answer_free(answer);
-        return EXIT_FAILED;
     }
-    return EXIT_OK;
+    return code;
 }
 
 void answer_free(answer *answer)

@@ -1,11 +1,14 @@
 #include "arm_source.h"
 
 #include "arm_file.h"
+#include "arm_table.h"
+#include "degrees.h"
 #include "exit_code.h"
 #include "message.h"
 #include "urdf.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -74,10 +77,39 @@ static bool read_file(FILE *stream, const cli_options *options, arm_model *model
     return arm_file_read(stream, options->arm, model);
 }
 
+/* A double has to hold it in degrees too, in which it may be shown. A joint without an end is none of these. */
+static bool check_angle(const char *path, const arm_model *model, size_t i, arm_column column)
+{
+    armtol_link link = model->arm.links[i];
+    armtol_drive drive = model->arm.drives[i];
+    const double radians = *arm_column_number(column, &link, &drive);
+    const bool fine = !isfinite(radians) || fabs(radians) <= LARGEST_ANGLE;
+    if (!fine) {
+        message("%s: link %zu: %s: %g rad is too large an angle", path, i, arm_column_name(column), radians);
+    }
+    return fine;
+}
+
+static bool check_angles(const char *path, const arm_model *model)
+{
+    bool fine = true;
+    for (size_t i = 0; i < model->arm.n_links && fine; i++) {
+        for (arm_column column = COLUMN_A; column < ARM_COLUMNS && fine; column++) {
+            fine = !arm_column_is_angle(column, model->arm.links[i].joint) ||
+                   check_angle(path, model, i, column);
+        }
+    }
+    return fine;
+}
+
 static int read_and_close(FILE *stream, const cli_options *options, arm_model *model)
 {
-    const bool fine = read_file(stream, options, model);
+    bool fine = read_file(stream, options, model);
     fclose(stream);
+    if (fine && !check_angles(options->arm, model)) {
+        arm_model_free(model);
+        fine = false;
+    }
     return fine ? EXIT_OK : EXIT_WRONG;
 }
 

@@ -14,9 +14,10 @@
 double degrees_parse(const char *text);
 
 /*
- * The shortest text that degrees_parse takes for this double, of six digits or more; radians is finite. Below 1e-280
- * radians it may be one that is taken for a neighbour. Returns shortest->text.
+ * The shortest text that degrees_parse takes for this double, of six digits or more. radians is at most LARGEST_ANGLE, so
+ * that a double holds the degrees. Below 1e-280 radians the text may be taken for a neighbour. Returns shortest->text.
  */
+#define LARGEST_ANGLE 3.1e306
 const char *degrees_shortest(double radians, number_text *shortest);
 
 #endif

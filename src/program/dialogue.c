@@ -16,18 +16,13 @@ void dialogue_start(dialogue *dialogue, FILE *stream, bool interactive, const ar
     dialogue->errata = errata;
 }
 
-/* "x y z", the names from `first` on. */
+/* "x y z", the names from `first` on, as far as they fit. */
 static void join_names(const question *question, size_t first, char *text, size_t size)
 {
     size_t length = 0;
     text[0] = '\0';
-    for (size_t i = first; i < question->count; i++) {
-        const int more = snprintf(text + length, size - length, "%s%s", i > first ? " " : "",
-                                  question->names[i]);
-        if (more < 0 || (size_t)more >= size - length) {
-            return;
-        }
-        length += (size_t)more;
+    for (size_t i = first; i < question->count && length < size; i++) {
+        length += (size_t)snprintf(text + length, size - length, "%s%s", i > first ? " " : "", question->names[i]);
     }
 }
 

@@ -5,49 +5,12 @@
 #include "message.h"
 
 #include "said.h"
+#include "short_memory.h"
 
 #include "unity.h"
 
-#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
-
-/* The allocations that are left until one fails. */
-static long left;
-
-static bool fails(void)
-{
-    return left-- <= 0;
-}
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-char *__real_strdup(const char *text);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-char *__wrap_strdup(const char *text);
-
-void *__wrap_malloc(size_t size)
-{
-    return fails() ? NULL : __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    return fails() ? NULL : __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *old, size_t size)
-{
-    return fails() ? NULL : __real_realloc(old, size);
-}
-
-char *__wrap_strdup(const char *text)
-{
-    return fails() ? NULL : __real_strdup(text);
-}
 
 void setUp(void)
 {
@@ -69,13 +32,13 @@ static void check_out_of_memory(reader *read, const char *text, long least)
         FILE *stream = stream_of(text, strlen(text));
         said said;
         said_begin();
-        left = n;
+        memory_is_left(n);
         fine = read(stream);
+        memory_is_enough();
         said_end(&said);
         fclose(stream);
         TEST_ASSERT_EQUAL_STRING(fine ? "" : "armtol: out of memory\n", said.text);
     }
-    left = LONG_MAX; /* for what runs when the test has ended */
     TEST_ASSERT_TRUE(n > least);
 }
 

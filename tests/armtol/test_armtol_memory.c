@@ -3,12 +3,12 @@
 #include "exit_code.h"
 
 #include "said.h"
+#include "short_memory.h"
 
 #include "unity.h"
 
 #include <fcntl.h>
 #include <getopt.h>
-#include <limits.h>
 #include <stdbool.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -19,50 +19,13 @@ int armtol_main(int argc, char *argv[]);
 enum { MOST = 16 };
 static char texts[MOST][64];
 
-/* The allocations that are left until one fails. */
-static long left = LONG_MAX;
-
-static bool fails(void)
-{
-    return left-- <= 0;
-}
-
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-char *__real_strdup(const char *text);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-char *__wrap_strdup(const char *text);
-
-void *__wrap_malloc(size_t size)
-{
-    return fails() ? NULL : __real_malloc(size);
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    return fails() ? NULL : __real_calloc(count, size);
-}
-
-void *__wrap_realloc(void *old, size_t size)
-{
-    return fails() ? NULL : __real_realloc(old, size);
-}
-
-char *__wrap_strdup(const char *text)
-{
-    return fails() ? NULL : __real_strdup(text);
-}
-
 void setUp(void)
 {
 }
 
 void tearDown(void)
 {
-    left = LONG_MAX;
+    memory_is_enough();
 }
 
 /* What it prints before memory runs out is nobody's business here. */
@@ -102,9 +65,9 @@ static void check(const char *const arguments[], long least)
         const int argc = take_arguments(arguments, argv);
         said said;
         said_begin();
-        left = n;
+        memory_is_left(n);
         code = run_quietly(argc, argv);
-        left = LONG_MAX;
+        memory_is_enough();
         said_end(&said);
         TEST_ASSERT_EQUAL_STRING(code == EXIT_OK ? "" : "armtol: out of memory\n", said.text);
         TEST_ASSERT_TRUE(code == EXIT_OK || code == EXIT_FAILED);

@@ -6,6 +6,8 @@
 
 #include <math.h>
 #include <signal.h>
+#include <stdbool.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -146,6 +148,28 @@ static void test_many_poses_are_counted_and_not_listed(void)
     check_says(&process, rest.text);
 }
 
+/* A pipe may have no end. */
+static void test_a_million_poses_are_enough(void)
+{
+    enum { POSES = 1000001, BLOCK = 1000 };
+    static char block[6 * 2 * BLOCK + 1];
+    for (size_t i = 0; i + 1 < sizeof block; i += 2) {
+        memcpy(block + i, (i + 2) % 12 == 0 ? "1\n" : "1,", 2);
+    }
+    const process_setup setup = {
+        .program = TEST_ARMTOL,
+        .arguments = (const char *const[]){"puma560", "--poses", "/dev/stdin", "--accuracy", WISH, NULL}};
+    static const char message[] = "armtol: /dev/stdin:1000001:1: more than 1000000 poses\n";
+    process process;
+    process_start(&process, &setup);
+    for (int i = 0; i < POSES; i += BLOCK) {
+        process_send(&process, block, sizeof block - 1);
+    }
+    process_finish(&process);
+    process_check_status(&process, 2, "a million poses");
+    text_check(message, sizeof message - 1, &process.errors, "a million poses");
+}
+
 /* ---- where arms come from ---- */
 
 static void test_an_arm_may_come_through_a_pipe_behind_empty_lines(void)
@@ -159,15 +183,73 @@ static void test_an_arm_may_come_through_a_pipe_behind_empty_lines(void)
     check_same(&shown, &again, "an arm through a pipe");
 }
 
+/* One that has no end is left when it is larger than any arm. */
+static void test_an_arm_through_a_pipe_has_a_largest_size(void)
+{
+    enum { LINES = 1 << 9 };
+    static char line[1 << 15];
+    memset(line, ' ', sizeof line);
+    line[sizeof line - 1] = '\n';
+    const process_setup setup = {.program = TEST_ARMTOL, .arguments = (const char *const[]){"/dev/stdin", "--show", NULL}};
+    process process;
+    process_start(&process, &setup);
+    for (int i = 0; i <= LINES; i++) {
+        process_send(&process, line, sizeof line);
+    }
+    process_finish(&process);
+    process_check_status(&process, 1, "17 MiB");
+    text_check("armtol: /dev/stdin: cannot be copied: File too large\n", 53, &process.errors, "17 MiB");
+}
+
+/* Sums of such lengths, and such angles moved, are beyond a double. */
+static void test_an_arm_of_too_large_numbers_is_refused(void)
+{
+    static const char *const rows[][3] = {
+        {"revolute,1e308,0,1e308,0", "0", "armtol: my in these poses: a value is not finite\n"},
+        {"revolute,0,3e306,0,0", "1.7976931348623157e308", "armtol: my in these poses: a value is not finite\n"},
+        {"revolute,0,3.2e306,0,0", "0", "armtol: my.csv: link 0: theta: 3.2e+306 rad is too large an angle\n"},
+        {"prismatic,1e308,0,0,-3.2e306", "0", "armtol: my.csv: link 0: alpha: -3.2e+306 rad is too large an angle\n"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
+        const string content = string_of("units: mm rad\njoint,d,theta,a,alpha\n%s\nfixed,1e308,0,1e308,0\n", rows[i][0]);
+        process process;
+        file_write(file.text, content.text);
+        run(&process, folder.text, (const char *const[]){"my.csv", "--joints", rows[i][1], "--accuracy", WISH, NULL});
+        process_check_status(&process, 2, rows[i][0]);
+        text_check(rows[i][2], strlen(rows[i][2]), &process.errors, rows[i][0]);
+        text_check("", 0, &process.output, rows[i][0]);
+    }
+}
+
+/* A prismatic joint's motor moves its d. */
+static void test_motors_turn_and_push(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"stanford", "--joints", "0,0,500,0,0,0", "--accuracy", WISH, "--csv",
+                                                   NULL});
+    int motors = 0, parts = 0;
+    for (const char *at = strchr(process.output.bytes, '\n'); at[1] != '\0'; at = strchr(at + 1, '\n')) {
+        char moves, parameter[8], role[16]; /* a kind is npr, ppr, npp or ppp: its joint turns or pushes */
+        TEST_ASSERT_EQUAL_INT(3, sscanf(at + 1, "%*d,%*2c%c,%7[a-z],%15[a-z],", &moves, parameter, role));
+        const bool motor = strcmp(parameter, moves == 'r' ? "theta" : "d") == 0;
+        TEST_ASSERT_EQUAL_STRING(motor ? "motor" : "machining", role);
+        motors += motor;
+        parts++;
+    }
+    TEST_ASSERT_EQUAL_INT(6, motors);
+    TEST_ASSERT_TRUE(parts > motors);
+}
+
 /* RFC 8259, section 7. */
 static void test_a_title_is_escaped_in_json(void)
 {
     const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
     process process;
-    file_write(file.text, "name: my\ntitle: \"x \"\"a\"\" \\ b\"\nunits: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
+    file_write(file.text, "name: my\ntitle: \"x \"\"a\"\" \\ \tb\"\nunits: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
     run_well(&process, folder.text, (const char *const[]){"my.csv", "--joints", "0", "--accuracy", "1,1,-,-,-,.1",
                                                           "--json", NULL});
-    check_says(&process, "\"x \\\"a\\\" \\\\ b\"");
+    check_says(&process, "\"x \\\"a\\\" \\\\ \\u0009b\"");
 }
 
 /* ---- how far it is ---- */
@@ -206,6 +288,9 @@ static const wrong_call wrong_calls[] = {
      "armtol: --delta is for --method sphere"},
     {{ASKED, "--csv", "--budget", NULL}, "armtol: --csv writes tolerances only"},
     {{ASKED, "--csv", "--verify", "10", NULL}, "armtol: --csv writes tolerances only"},
+    {{ASKED, "--method", "sphere", "--delta", "x", NULL}, "armtol: --delta: \"x\" is not a number\n"},
+    {{ASKED, "--method", "sphere", "--delta", ".6", NULL},
+     "armtol: no tolerances: delta is not between zero and the smallest linear tolerance\n"},
     {{ASKED, "--weights", "theta=2,alpha", NULL}, "armtol: --weights: \"alpha\" is no NAME=NUMBER"},
     {{ASKED, "--weights", "none.csv", NULL}, "armtol: --weights: none.csv: No such file or directory"},
     {{"my.csv", "--tip", "hand", "--show", NULL}, "armtol: --base and --tip are for URDF files, and my.csv is none"},
@@ -235,7 +320,11 @@ int main(void)
     RUN_TEST(test_the_method_is_said);
     RUN_TEST(test_a_sphere_says_its_bounds_in_json_too);
     RUN_TEST(test_many_poses_are_counted_and_not_listed);
+    RUN_TEST(test_a_million_poses_are_enough);
     RUN_TEST(test_an_arm_may_come_through_a_pipe_behind_empty_lines);
+    RUN_TEST(test_an_arm_through_a_pipe_has_a_largest_size);
+    RUN_TEST(test_an_arm_of_too_large_numbers_is_refused);
+    RUN_TEST(test_motors_turn_and_push);
     RUN_TEST(test_a_title_is_escaped_in_json);
     RUN_TEST(test_a_terminal_sees_how_far_it_is_and_an_interrupt_prints_what_there_is);
     RUN_TEST(test_what_contradicts_itself_is_refused);

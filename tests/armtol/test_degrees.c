@@ -95,11 +95,25 @@ static void test_every_double_has_a_text(void)
     }
 }
 
+/* Near the least double degrees, too, have fewer digits; a neighbour at the most is what is read. */
+static void test_the_least_numbers(void)
+{
+    random_source random = {77};
+    for (int i = 0; i < 5000; i++) {
+        const double radians = ldexp(random_between(&random, 1, 2), -1020 + i % 90);
+        number_text shortest;
+        double checked;
+        TEST_ASSERT_EQUAL_INT(NUMBER_FINE, number_parse(degrees_shortest(radians, &shortest), &checked));
+        check_within(radians * 3e-16, radians, degrees_parse(shortest.text), "%s degrees", shortest.text);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_the_nearest_double_is_taken);
     RUN_TEST(test_what_was_typed_is_shown);
     RUN_TEST(test_every_double_has_a_text);
+    RUN_TEST(test_the_least_numbers);
     return UNITY_END();
 }

@@ -5,47 +5,36 @@
 #include "message.h"
 
 #include "said.h"
+#include "short_memory.h"
+
 #include "unity.h"
 
+#include <expat.h>
 #include <stdbool.h>
-#include <limits.h>
 #include <stdlib.h>
 
-/* The allocations that are left until one fails; expat's own are not among them. */
-static long left;
+/* expat's own allocations are counted with the others. */
+XML_Parser __wrap_XML_ParserCreate(const XML_Char *encoding);
 
-static bool fails(void)
+static void *get(size_t size)
 {
-    return left-- <= 0;
+    return malloc(size);
 }
 
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
-void *__real_realloc(void *old, size_t size);
-char *__real_strdup(const char *text);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
-void *__wrap_realloc(void *old, size_t size);
-char *__wrap_strdup(const char *text);
-
-void *__wrap_malloc(size_t size)
+static void *get_again(void *old, size_t size)
 {
-    return fails() ? NULL : __real_malloc(size);
+    return realloc(old, size);
 }
 
-void *__wrap_calloc(size_t count, size_t size)
+static void give_back(void *block)
 {
-    return fails() ? NULL : __real_calloc(count, size);
+    free(block);
 }
 
-void *__wrap_realloc(void *old, size_t size)
+XML_Parser __wrap_XML_ParserCreate(const XML_Char *encoding)
 {
-    return fails() ? NULL : __real_realloc(old, size);
-}
-
-char *__wrap_strdup(const char *text)
-{
-    return fails() ? NULL : __real_strdup(text);
+    static const XML_Memory_Handling_Suite counted = {get, get_again, give_back};
+    return XML_ParserCreate_MM(encoding, &counted, NULL);
 }
 
 void setUp(void)
@@ -67,14 +56,14 @@ static void test_the_ur5e(void)
         FILE *const stream = fopen(TEST_UR5E, "r");
         TEST_ASSERT_NOT_NULL(stream);
         said_begin();
-        left = n;
+        memory_is_left(n);
         fine = urdf_read(stream, "ur5e.urdf", "base_link", "tool0", &model);
+        memory_is_enough();
         said_end(&said);
         fclose(stream);
         TEST_ASSERT_EQUAL_STRING(fine ? "" : "armtol: out of memory\n", said.text);
         arm_model_free(&model);
     }
-    left = LONG_MAX; /* for what runs when the test has ended */
     /* A name for each of 11 links, three for each of 10 joints, four tables of an arm, five parts of it. */
     TEST_ASSERT_TRUE(n > 11 + 3 * 10 + 4 + 5);
 }

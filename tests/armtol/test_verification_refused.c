@@ -3,6 +3,7 @@
 #include "message.h"
 #include "one_link.h"
 #include "said.h"
+#include "short_memory.h"
 
 #include "unity.h"
 
@@ -13,28 +14,14 @@
 
 enum { MANY = 1000 };
 
-/* The allocations and the threads that are left until one is refused. */
-static int memory_left = MANY, threads_left = MANY;
+/* The threads that are left until one is refused. */
+static int threads_left = MANY;
 
 typedef void *thread_body(void *context);
-void *__real_malloc(size_t size);
-void *__real_calloc(size_t count, size_t size);
 int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body,
                           void *context);
-void *__wrap_malloc(size_t size);
-void *__wrap_calloc(size_t count, size_t size);
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body,
                           void *context);
-
-void *__wrap_malloc(size_t size)
-{
-    return memory_left-- > 0 ? __real_malloc(size) : NULL;
-}
-
-void *__wrap_calloc(size_t count, size_t size)
-{
-    return memory_left-- > 0 ? __real_calloc(count, size) : NULL;
-}
 
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, thread_body *body,
                           void *context)
@@ -44,13 +31,15 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, t
 
 void setUp(void)
 {
-    memory_left = threads_left = MANY;
+    memory_is_enough();
+    threads_left = MANY;
     message_start("test");
 }
 
 void tearDown(void)
 {
-    memory_left = threads_left = MANY;
+    memory_is_enough();
+    threads_left = MANY;
 }
 
 static verification_task task_of(one_link *one)
@@ -97,9 +86,9 @@ static void test_memory_that_is_refused(void)
         said said;
         memset(&found, 0, sizeof found);
         said_begin();
-        memory_left = had;
+        memory_is_left(had);
         const bool fine = verification_run(&task, &found);
-        memory_left = MANY;
+        memory_is_enough();
         said_end(&said);
         TEST_ASSERT_EQUAL_STRING(fine ? "" : "test: out of memory\n", said.text);
         TEST_ASSERT_TRUE(fine || done == 0);

@@ -1,0 +1,65 @@
+#include "short_memory.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+static long left = LONG_MAX;
+
+void memory_is_left(long n)
+{
+    left = n;
+}
+
+void memory_is_enough(void)
+{
+    left = LONG_MAX;
+}
+
+/* Counts as one. */
+static bool memory_fails(void)
+{
+    if (left-- > 0) {
+        return false;
+    }
+    errno = ENOMEM;
+    return true;
+}
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *old, size_t size);
+char *__real_strdup(const char *text);
+FILE *__real_fdopen(int descriptor, const char *mode);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *old, size_t size);
+char *__wrap_strdup(const char *text);
+FILE *__wrap_fdopen(int descriptor, const char *mode);
+
+void *__wrap_malloc(size_t size)
+{
+    return memory_fails() ? NULL : __real_malloc(size);
+}
+
+void *__wrap_calloc(size_t count, size_t size)
+{
+    return memory_fails() ? NULL : __real_calloc(count, size);
+}
+
+void *__wrap_realloc(void *old, size_t size)
+{
+    return memory_fails() ? NULL : __real_realloc(old, size);
+}
+
+char *__wrap_strdup(const char *text)
+{
+    return memory_fails() ? NULL : __real_strdup(text);
+}
+
+FILE *__wrap_fdopen(int descriptor, const char *mode)
+{
+    return memory_fails() ? NULL : __real_fdopen(descriptor, mode);
+}
