@@ -92,18 +92,17 @@ static armtol_status solve_q6(const armtol_transform *t06, const armtol_errata *
     return armtol_solve(t60.m[1][3], t60.m[0][3], 0, 0, errata, q6);
 }
 
-/* Joints 1 and 2 bring the common axis of joints 3, 4 and 5 to the z axis of frame 5. */
-static armtol_status solve_q1_q2(const armtol_transform *t05, const armtol_errata *errata, double q[])
+/*
+ * Joints 1 and 2 bring the common axis of joints 3, 4 and 5 to the z axis of frame 5. Where that is upright joint 1 turns
+ * about it too, and any q1 will do.
+ */
+static void solve_q1_q2(const armtol_transform *t05, const armtol_errata *errata, double q[])
 {
-    const armtol_status status = armtol_solve(t05->m[1][2], -t05->m[0][2], 0, 0, errata, &q[0]);
-    if (status == ARMTOL_SINGULAR) {
-        q[0] = 0; /* that axis is upright: joint 1 turns about it too, and any q1 will do */
-    } else if (status != ARMTOL_OK) {
-        return status;
+    if (armtol_solve(t05->m[1][2], -t05->m[0][2], 0, 0, errata, &q[0]) != ARMTOL_OK) {
+        q[0] = 0;
     }
     const double horizontal = cosine_of(errata, q[0]) * t05->m[0][2] + sine_of(errata, q[0]) * t05->m[1][2];
     q[1] = store(errata, angle_of(errata, horizontal, t05->m[2][2]));
-    return ARMTOL_OK;
 }
 
 /* Joints 3 to 5, a planar arm square to their common axis; frame 2's x and y axes span the plane. */
@@ -145,15 +144,15 @@ static armtol_status solve_all(const double wish[], const armtol_errata *errata,
     const armtol_transform to_shoulder = armtol_transform_inverse(&base, errata);
     const armtol_transform t06 = armtol_transform_product(&to_shoulder, &tool, errata);
 
-    armtol_status status = solve_q6(&t06, errata, &q[5]);
+    const armtol_status status = solve_q6(&t06, errata, &q[5]);
     if (status != ARMTOL_OK) {
         return status;
     }
     const armtol_transform link6 = armtol_craig_transform(&links[CRAIG_TOOL], q[5], errata);
     const armtol_transform back = armtol_transform_inverse(&link6, errata);
     const armtol_transform t05 = armtol_transform_product(&t06, &back, errata);
-    status = solve_q1_q2(&t05, errata, q);
-    return status == ARMTOL_OK ? solve_q3_q4_q5(&t06, &t05, errata, q) : status;
+    solve_q1_q2(&t05, errata, q);
+    return solve_q3_q4_q5(&t06, &t05, errata, q);
 }
 
 /*

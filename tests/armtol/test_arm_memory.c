@@ -62,6 +62,10 @@ static void test_arm(void)
     strcat(text, rest);
     check_out_of_memory(read_arm, text, 15);
     check_out_of_memory(read_arm, rest, 10);
+    memset(text, '#', 256); /* it has to grow for the zero behind the line */
+    text[256] = '\n';
+    strcpy(text + 257, rest);
+    check_out_of_memory(read_arm, text, 10);
 }
 
 static bool read_poses(FILE *stream)

@@ -201,6 +201,23 @@ static void test_an_arm_through_a_pipe_has_a_largest_size(void)
     text_check("armtol: /dev/stdin: cannot be copied: File too large\n", 53, &process.errors, "17 MiB");
 }
 
+static void test_an_arm_through_a_pipe_needs_room(void)
+{
+    static char line[1 << 14];
+    memset(line, '#', sizeof line);
+    line[sizeof line - 1] = '\n';
+    const process_setup setup = {.program = TEST_ARMTOL,
+                                 .arguments = (const char *const[]){"/dev/stdin", "--show", NULL},
+                                 .largest_file = 1 << 12};
+    static const char message[] = "armtol: /dev/stdin: cannot be copied: File too large\n";
+    process process;
+    process_start(&process, &setup);
+    process_send(&process, line, sizeof line);
+    process_finish(&process);
+    process_check_status(&process, 1, "16 KiB");
+    text_check(message, sizeof message - 1, &process.errors, "16 KiB");
+}
+
 /* Sums of such lengths, and such angles moved, are beyond a double. */
 static void test_an_arm_of_too_large_numbers_is_refused(void)
 {
@@ -323,6 +340,7 @@ int main(void)
     RUN_TEST(test_a_million_poses_are_enough);
     RUN_TEST(test_an_arm_may_come_through_a_pipe_behind_empty_lines);
     RUN_TEST(test_an_arm_through_a_pipe_has_a_largest_size);
+    RUN_TEST(test_an_arm_through_a_pipe_needs_room);
     RUN_TEST(test_an_arm_of_too_large_numbers_is_refused);
     RUN_TEST(test_motors_turn_and_push);
     RUN_TEST(test_a_title_is_escaped_in_json);

@@ -30,7 +30,7 @@ static void end_faults(void)
 static void end_limit(int resource, rlim_t enough)
 {
     struct rlimit limit;
-    if (getrlimit(resource, &limit) == 0 && limit.rlim_max < enough) {
+    if (getrlimit(resource, &limit) == 0 && limit.rlim_cur < enough) {
         limit.rlim_cur = limit.rlim_max = enough;
         if (setrlimit(resource, &limit) != 0) {
             setenv("GCOV_PREFIX", "/dev/null", 1);

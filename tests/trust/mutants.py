@@ -4,7 +4,7 @@
     mutants.py SOURCE BUILD --mutants N --seed S [--jobs J] [--only REGEX]
 
 All mutants of the chosen files are made by universalmutator, shuffled with the seed, and taken in turn: one that does
-not compile, or whose object file at -O2 is the original's, is no mutant and is passed over, until there are N. Each is
+not compile (a return left out is an error), or whose object file at -O2 is the original's, is no mutant and is passed over, until there are N. Each is
 put into a copy of the tree below BUILD and built, and the tests run until one fails: killed. What no test notices is
 listed, unless tests/trust/survivors.tsv says why nothing could notice it.
 
@@ -122,7 +122,7 @@ class Compiler:
     def _run(self, unit, extra, output):
         words, folder = self.units[unit]
         words = words[:words.index("-o")] + words[words.index("-o") + 2:]
-        command = words + ["-O2", "-w"] + extra + ["-o", output]
+        command = words + ["-O2", "-Werror=return-type"] + extra + ["-o", output]
         return subprocess.run(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
 
     def units_of(self, name):

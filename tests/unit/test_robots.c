@@ -217,12 +217,15 @@ static void test_a_joint_value_that_overflows_is_told(void)
 /* The axes of joints 3 to 5 upright, as joint 1's is: any q1 will do, and the arm gets there. */
 static void test_an_upright_elbow_is_no_error(void)
 {
-    const double wish[] = {300, 200, 359.7, 0, 1.5707963267948966, 0};
-    double q[6], back[6];
-    armtol_reach reach;
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_intelledex_605t.inverse(wish, &armtol_errata_none, q, &reach));
-    armtol_intelledex_605t.forward(q, &armtol_errata_none, back);
-    check_pose(wish, back, 1e-7, 1e-10, 0);
+    static const double wishes[][6] = {{300, 200, 359.7, 0, 1.5707963267948966, 0}, /* upright but for rounding */
+                                       {300, 0, 359.7, 1.5707963267948966, 0, 0}};
+    for (size_t i = 0; i < sizeof wishes / sizeof wishes[0]; i++) {
+        double q[6], back[6];
+        armtol_reach reach;
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_intelledex_605t.inverse(wishes[i], &armtol_errata_none, q, &reach));
+        armtol_intelledex_605t.forward(q, &armtol_errata_none, back);
+        check_pose(wishes[i], back, 1e-7, 1e-10, 0);
+    }
 }
 
 static void check_not_finite(const armtol_robot *robot)
