@@ -243,10 +243,12 @@ static void test_several_poses_are_as_narrow_as_each_of_them(void)
     options.poses = file.text;
     asked_make(&both, &options);
     double fullest = 0;
-    for (int pose = 0; pose < 2; pose++) {
+    const size_t size = 6 * both.request.posed.n_columns * sizeof(double);
+    for (size_t pose = 0; pose < 2; pose++) {
         asked one;
         options = question("puma560", joints[pose], ".5,.5,.5,.01,.01,.01");
         asked_make(&one, &options);
+        TEST_ASSERT_EQUAL_MEMORY(one.request.posed.matrices, posed_arm_matrix(&both.request.posed, pose), size);
         for (size_t i = 0; i < 6; i++) {
             double sum = 0;
             for (size_t k = 0; k < one.request.posed.n_columns; k++) {

@@ -3,10 +3,10 @@
 
     mutants.py SOURCE BUILD --mutants N --seed S [--jobs J] [--only REGEX]
 
-All mutants of the chosen files are made by universalmutator, shuffled with the seed, and taken in turn: one that does
-not compile (a return left out is an error), or whose object file at -O2 is the original's, is no mutant and is passed over, until there are N. Each is
-put into a copy of the tree below BUILD and built, and the tests run until one fails: killed. What no test notices is
-listed, unless tests/trust/survivors.tsv says why nothing could notice it.
+All mutants of the chosen files are made by universalmutator, shuffled with the seed, and taken in turn: one that does not
+compile (a return left out is an error), or whose object file at -O2 is the original's, is no mutant and is passed over,
+until there are N. Each is put into a copy of the tree below BUILD and built, and the tests run until one fails: killed.
+What no test notices is listed, unless tests/trust/survivors.tsv says why nothing could notice it.
 
 Exit status: 0 at least 95 of 100 are killed or explained; 1 fewer; 2 usage.
 """
@@ -38,9 +38,9 @@ HEAVY = r"^(memcheck|build|fault|fuzz|machines|man)_|^(install|example.*|exports
 
 # Where a folder's mistakes show first; the tests of the file's own name go before these, all others after them.
 FIRST = {
-    "src/lib": ("test_published", "test_errata_effects", "test_robots", "test_tool_error", "test_answer"),
-    "src/program": ("test_number", "test_options", "test_files", "test_armtol", "test_wrong_input", "test_faults"),
-    "src/armtol": ("test_answer", "test_armtol", "test_lists", "test_arm_file", "test_urdf", "test_verification"),
+    "src/lib": ("golden", "test_published", "test_errata_effects", "test_robots", "test_tool_error", "test_answer"),
+    "src/program": ("golden", "test_number", "test_options", "test_files", "test_armtol", "test_wrong_input", "test_faults"),
+    "src/armtol": ("golden", "test_answer", "test_armtol", "test_lists", "test_arm_file", "test_urdf", "test_verification"),
 }
 OWN = {
     "allocation": "test_allocation", "arm": "test_arm|test_every_arm", "intelledex": "test_robots",

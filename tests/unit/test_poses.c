@@ -13,7 +13,8 @@
 
 enum { MOST_LINKS = 21, MOST_COLUMNS = MOST_LINKS * ARMTOL_PARAMETER_COUNT, MOST_POSES = 19 };
 
-static const double accuracy[6] = {0.5, 0.3, 0.4, 0.1, 0.02, 0.3}, delta = 0.1;
+static const double usual[6] = {0.5, 0.3, 0.4, 0.1, 0.02, 0.3}, delta = 0.1;
+static double accuracy[6];
 
 static armtol_link links[MOST_LINKS], placed[MOST_LINKS];
 static armtol_pose_link prepared[MOST_LINKS];
@@ -23,6 +24,7 @@ static double matrix[6 * MOST_COLUMNS], expected[6 * MOST_COLUMNS], ordered[6 * 
 
 void setUp(void)
 {
+    memcpy(accuracy, usual, sizeof accuracy);
 }
 
 void tearDown(void)
@@ -90,6 +92,30 @@ static void check_pose(const armtol_poses *poses, const double joints[])
         check_within(i < 3 * n ? 1e-11 : 1e-14, expected[i], matrix[i], "row %zu, column %zu", i / n, i % n);
     }
     check_bounds(&right, &found);
+}
+
+/* So small a part of the usual that the component's row sets the bound of the angles. */
+static void tighten(size_t component, double part)
+{
+    const double always = component < 3 ? delta : 0;
+    memcpy(accuracy, usual, sizeof accuracy);
+    accuracy[component] = always + part * (usual[component] - always);
+}
+
+static void test_every_row_can_set_the_bounds(void)
+{
+    static const armtol_tool_point tool = {{30, -20, 70}, ARMTOL_BASE_FRAME};
+    for (size_t i = 0; i < 6; i++) {
+        armtol_poses poses;
+        size_t n;
+        tighten(i, 1e-6);
+        start(&poses, random_arm(i, 7), &tool);
+        check_pose(&poses, q);
+        const armtol_bounds tight = expect(&poses, q, &n);
+        tighten(i, 5e-7);
+        const armtol_bounds tighter = expect(&poses, q, &n);
+        TEST_ASSERT_TRUE(tighter.angle != tight.angle); /* it is that row indeed */
+    }
 }
 
 static void test_a_pose_is_the_matrix_and_the_bounds_of_the_placed_links(void)
@@ -267,6 +293,7 @@ static void test_what_cannot_be_prepared_is_refused(void)
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_every_row_can_set_the_bounds);
     RUN_TEST(test_a_pose_is_the_matrix_and_the_bounds_of_the_placed_links);
     RUN_TEST(test_blocks_have_the_bits_of_single_poses);
     RUN_TEST(test_no_poses_are_no_work);
