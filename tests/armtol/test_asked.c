@@ -71,6 +71,115 @@ static void test_metres_are_a_thousand_millimetres(void)
     TEST_ASSERT_TRUE(of_mm > 0 && fabs(of_m / of_mm - 1) < 1e-12);
 }
 
+/* The tool's point is shown in the unit of the lengths. */
+static void test_the_tool_is_shown_in_metres(void)
+{
+    process mm, metres;
+    run_well(&mm, NULL, (const char *const[]){ASKED, "--json", NULL});
+    run_well(&metres, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--metres", "--accuracy",
+                                                  ".0005,.0005,.0005,.01,.01,.01", "--json", NULL});
+    double in_mm[3], in_m[3];
+    TEST_ASSERT_EQUAL_INT(3, sscanf(strstr(mm.output.bytes, "\"tool\": ["), "\"tool\": [%lf, %lf, %lf]", &in_mm[0],
+                                    &in_mm[1], &in_mm[2]));
+    TEST_ASSERT_EQUAL_INT(3, sscanf(strstr(metres.output.bytes, "\"tool\": ["), "\"tool\": [%lf, %lf, %lf]", &in_m[0],
+                                    &in_m[1], &in_m[2]));
+    for (int i = 0; i < 3; i++) {
+        TEST_ASSERT_TRUE(fabs(in_m[i] - in_mm[i] / 1000) < 1e-12);
+    }
+}
+
+/* ---- the tables ---- */
+
+/* The line that follows *at, which is moved there. */
+static const char *next_line(const char **at)
+{
+    *at = strchr(*at, '\n');
+    TEST_ASSERT_NOT_NULL(*at);
+    return ++*at;
+}
+
+static void check_shown(double exact, double shown, const char *line)
+{
+    TEST_ASSERT_TRUE_MESSAGE(fabs(shown - exact) <= 1e-5 * fabs(exact), line);
+}
+
+/* From the line above a table's head on; the object of the JSON that lists the same. */
+typedef struct tables {
+    const char *line, *object;
+} tables;
+
+static tables find_tables(const process *text, const process *json, const char *head, const char *member)
+{
+    tables found = {strstr(text->output.bytes, head), strstr(json->output.bytes, member)};
+    TEST_ASSERT_NOT_NULL_MESSAGE(found.line, head);
+    TEST_ASSERT_NOT_NULL_MESSAGE(found.object, member);
+    next_line(&found.line);
+    return found;
+}
+
+/* The number of the next member of that name. */
+static double next_number(tables *tables, const char *member)
+{
+    tables->object = strstr(tables->object, member);
+    TEST_ASSERT_NOT_NULL_MESSAGE(tables->object, member);
+    tables->object += strlen(member);
+    return strtod(tables->object, NULL);
+}
+
+static void check_parameter_rows(tables tables)
+{
+    int n = 0, link;
+    double nominal, tolerance;
+    char name[16], other_name[16];
+    for (; sscanf(next_line(&tables.line), " %d %*s %15s %*s %lf %lf", &link, name, &nominal, &tolerance) == 4; n++) {
+        check_shown(next_number(&tables, "\"link\": "), link, tables.line);
+        tables.object = strstr(tables.object, "\"parameter\": ");
+        TEST_ASSERT_EQUAL_INT(1, sscanf(tables.object, "\"parameter\": \"%15[a-z]", other_name));
+        TEST_ASSERT_EQUAL_STRING(other_name, name);
+        check_shown(next_number(&tables, "\"nominal\": "), nominal, tables.line);
+        check_shown(next_number(&tables, "\"tolerance\": "), tolerance, tables.line);
+    }
+    TEST_ASSERT_EQUAL_INT(24, n);
+}
+
+static void check_part_rows(tables tables)
+{
+    int n = 0, link;
+    double distance, angle, motor;
+    for (; sscanf(next_line(&tables.line), " %d %lf %lf %lf", &link, &distance, &angle, &motor) == 4; n++) {
+        check_shown(next_number(&tables, "\"link\": "), link, tables.line);
+        check_shown(next_number(&tables, "\"distance\": "), distance, tables.line);
+        check_shown(next_number(&tables, "\"angle\": "), angle, tables.line);
+        check_shown(next_number(&tables, "\"motor\": "), motor, tables.line);
+    }
+    TEST_ASSERT_EQUAL_INT(6, n);
+}
+
+static void check_component_rows(tables tables)
+{
+    int n = 0;
+    double accuracy, worst, three_deviations, remainder;
+    for (; sscanf(next_line(&tables.line), " %*[dwxyz] %lf %lf %lf %lf", &accuracy, &worst, &three_deviations,
+                  &remainder) == 4; n++) {
+        check_shown(next_number(&tables, "\"accuracy\": "), accuracy, tables.line);
+        check_shown(next_number(&tables, "\"worst_case\": "), worst, tables.line);
+        check_shown(3 * next_number(&tables, "\"standard_deviation\": "), three_deviations, tables.line);
+        check_shown(next_number(&tables, "\"remainder\": "), remainder, tables.line);
+    }
+    TEST_ASSERT_EQUAL_INT(6, n);
+}
+
+/* Each row of a table is an object of the JSON, to six digits. */
+static void test_the_tables_are_the_json_in_short(void)
+{
+    process text, json;
+    run_well(&text, NULL, (const char *const[]){ASKED, NULL});
+    run_well(&json, NULL, (const char *const[]){ASKED, "--json", NULL});
+    check_parameter_rows(find_tables(&text, &json, "\n  link  kind", "\"parameters\""));
+    check_part_rows(find_tables(&text, &json, "\n  link   distance", "\"parts\""));
+    check_component_rows(find_tables(&text, &json, "\n  component", "\"components\""));
+}
+
 /* ---- weights ---- */
 
 /* A class is the parameters in it: the Puma's motors all turn, in theta. */
@@ -308,6 +417,8 @@ static const wrong_call wrong_calls[] = {
     {{ASKED, "--method", "sphere", "--delta", "x", NULL}, "armtol: --delta: \"x\" is not a number\n"},
     {{ASKED, "--method", "sphere", "--delta", ".6", NULL},
      "armtol: no tolerances: delta is not between zero and the smallest linear tolerance\n"},
+    {{ASKED, "--weights", "123456.alpha=2", NULL}, "armtol: --weights: puma560 has no parameter \"123456.alpha\"\n"},
+    {{ASKED, "--weights", "1234567.alpha=2", NULL}, "armtol: --weights: unknown name \"1234567.alpha\"; expected"},
     {{ASKED, "--weights", "theta=2,alpha", NULL}, "armtol: --weights: \"alpha\" is no NAME=NUMBER"},
     {{ASKED, "--weights", "none.csv", NULL}, "armtol: --weights: none.csv: No such file or directory"},
     {{"my.csv", "--tip", "hand", "--show", NULL}, "armtol: --base and --tip are for URDF files, and my.csv is none"},
@@ -332,6 +443,8 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_metres_are_a_thousand_millimetres);
+    RUN_TEST(test_the_tool_is_shown_in_metres);
+    RUN_TEST(test_the_tables_are_the_json_in_short);
     RUN_TEST(test_a_class_of_weights_is_its_parameters);
     RUN_TEST(test_weights_may_be_a_table);
     RUN_TEST(test_the_method_is_said);
