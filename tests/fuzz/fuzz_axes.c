@@ -22,7 +22,6 @@ typedef struct problem {
     size_t n;
     armtol_axis axes[MOST_AXES];
     armtol_transform tool;
-    double size;
     bool wild;
 } problem;
 

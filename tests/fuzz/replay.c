@@ -42,8 +42,8 @@ static size_t replay_folder(const char *folder)
         fail(folder);
     }
     for (const struct dirent *entry = readdir(entries); entry != NULL; entry = readdir(entries)) {
-        char path[4096];
         if (entry->d_name[0] != '.') {
+            char path[4096];
             snprintf(path, sizeof path, "%s/%s", folder, entry->d_name);
             printf("%s\n", path);
             fflush(stdout); /* the name of the one that ends it is the last */
