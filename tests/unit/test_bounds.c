@@ -49,6 +49,25 @@ static void test_the_longest_row_sets_the_distance_bound(void)
     check_within(1e-15, 0.5 / 13, bounds_for(tolerances, 0.5).distance, "distance bound");
 }
 
+/* In other units of length and angle the numbers may be of any size. */
+static void test_bounds_are_inverse_to_the_matrix(void)
+{
+    static const double scales[] = {1e-9, 1e-3, 0.01, 100};
+    const double tolerances[6] = {1, 1, 1, 1, 1, 1};
+    const armtol_bounds usual = bounds_for(tolerances, 0.5);
+    for (size_t k = 0; k < sizeof scales / sizeof scales[0]; k++) {
+        double matrix[30];
+        armtol_bounds bounds;
+        for (int i = 0; i < 30; i++) {
+            matrix[i] = scales[k] * ordered[i];
+        }
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_norm_bounds(matrix, 5, 2, tolerances, 0.5, &armtol_errata_none,
+                                                            &bounds));
+        check_within(1e-14 * usual.distance / scales[k], usual.distance / scales[k], bounds.distance, "%g", scales[k]);
+        check_within(1e-14 * usual.angle / scales[k], usual.angle / scales[k], bounds.angle, "%g", scales[k]);
+    }
+}
+
 static void test_an_arm_without_lengths_or_angles_is_not_bound_by_them(void)
 {
     const double tolerances[6] = {1, 1, 1, 1, 1, 1};
@@ -133,6 +152,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_each_row_can_set_the_angle_bound);
     RUN_TEST(test_the_longest_row_sets_the_distance_bound);
+    RUN_TEST(test_bounds_are_inverse_to_the_matrix);
     RUN_TEST(test_an_arm_without_lengths_or_angles_is_not_bound_by_them);
     RUN_TEST(test_each_tolerance_has_to_be_positive_and_finite);
     RUN_TEST(test_delta_lies_between_zero_and_the_smallest_linear_tolerance);
