@@ -48,10 +48,10 @@ OWN = {
     "sphere": "test_sphere", "corners": "test_corners", "tool_matrix": "test_tool_matrix",
     "quad": "test_poses", "lane": "test_poses", "sincos": "test_sampler|test_poses", "matrix_kernel": "test_sampler",
     "triple": "test_poses", "frame_kernel": "test_sampler", "rotation": "test_sampler", "draw_kernel": "test_sampler",
-    "outfile": "test_files|test_faults|test_full_disk", "options": "test_options", "flags": "test_options",
+    "outfile": "test_files|test_faults|test_full_disk", "options": "test_options", "flags": "test_flags|test_options",
     "number": "test_number", "whole_number": "test_number|test_armtol", "dialogue": "test_terminal|test_wrong_input",
     "reader": "test_wrong_input|test_terminal", "session": "test_files", "report": "test_files", "help": "test_options",
-    "analysis": "test_published|test_files", "table": "test_yield", "message": "test_wrong_input",
+    "analysis": "test_published|test_files", "table": "test_table", "message": "test_wrong_input",
     "lists_": "test_lists", "cells": "test_lists|test_arm_file", "urdf": "test_urdf|test_urdf_memory",
     "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "weights": "test_answer",
     "budget": "test_answer", "parts": "test_answer", "output_json": "armtol_json", "json": "armtol_json",
@@ -177,7 +177,9 @@ class Tree:
         self.compiler = Compiler(self.root, self.build)
         self.seconds = {}
         listed = json.loads(run("ctest", "--test-dir", str(self.build), "--show-only=json-v1").stdout)
-        self.tests = [t["name"] for t in listed["tests"] if not re.search(HEAVY, t["name"])]
+        every = [t["name"] for t in listed["tests"]]
+        self.tests = [name for name in every if not re.search(HEAVY, name)]
+        self.memchecks = [name for name in every if name.startswith("memcheck_")]
 
     def try_unchanged(self):
         """Times the tests; one that fails in the unchanged tree says nothing, and is returned."""
@@ -227,7 +229,8 @@ class Tree:
         folder = next(f for f in FOLDERS if name.startswith(f + "/"))
         first = [t for t in FIRST[folder] if t in self.tests and t not in own]
         rest = [t for t in self.tests if t not in own and t not in first]
-        return [step for step in (own, first, rest) if step]
+        watched = [t for t in self.memchecks if t[len("memcheck_"):] in own + first + ["test_armtol_memory", "programs"]]
+        return [step for step in (own, first, rest, watched) if step]
 
     def judge(self, mutant):
         """'killed', 'timeout', 'survived'; None for what is no mutant."""
