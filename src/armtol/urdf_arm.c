@@ -1,12 +1,12 @@
 #include "urdf_arm.h"
 
 #include "armtol/axes.h"
+#include "armtol/euler.h"
 #include "armtol/transform.h"
 #include "exit_code.h"
 #include "message.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -49,18 +49,10 @@ static void parts_free(parts *parts)
 
 /* ---- joints to axes ---- */
 
-/* Trans(x, y, z) Rot(z, yaw) Rot(y, pitch) Rot(x, roll). */
 static armtol_transform origin_of(const urdf_joint *joint)
 {
-    const double cr = cos(joint->rpy[0]), sr = sin(joint->rpy[0]);
-    const double cp = cos(joint->rpy[1]), sp = sin(joint->rpy[1]);
-    const double cy = cos(joint->rpy[2]), sy = sin(joint->rpy[2]);
-    return (armtol_transform){{
-        {cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr, joint->xyz[0]},
-        {sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr, joint->xyz[1]},
-        {-sp, cp * sr, cp * cr, joint->xyz[2]},
-        {0, 0, 0, 1},
-    }};
+    const double *p = joint->xyz, *rpy = joint->rpy;
+    return armtol_pose_to_transform((const double[6]){p[0], p[1], p[2], rpy[0], rpy[1], rpy[2]}, &armtol_errata_none);
 }
 
 static void add_axis(parts *parts, const urdf_joint *joint)

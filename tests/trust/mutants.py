@@ -277,9 +277,14 @@ def explained(root):
     return reasons
 
 
+def one_line(text):
+    """Any white space as a blank: a table has a line a mutant."""
+    return " ".join(text.split())
+
+
 def key_of(root, mutant):
     name, number, changed = mutant
-    return name, (root / name).read_text().splitlines()[number - 1].strip(), changed.strip()
+    return name, one_line((root / name).read_text().splitlines()[number - 1]), one_line(changed)
 
 
 def draw(trees, pool, wanted, report):
