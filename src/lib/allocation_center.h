@@ -1,6 +1,8 @@
 #ifndef ARMTOL_LIB_ALLOCATION_CENTER_H
 #define ARMTOL_LIB_ALLOCATION_CENTER_H
 
+#include "private_names.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 

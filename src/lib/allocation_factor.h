@@ -1,6 +1,8 @@
 #ifndef ARMTOL_LIB_ALLOCATION_FACTOR_H
 #define ARMTOL_LIB_ALLOCATION_FACTOR_H
 
+#include "private_names.h"
+
 #include <stddef.h>
 
 /*

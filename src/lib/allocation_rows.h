@@ -2,6 +2,7 @@
 #define ARMTOL_LIB_ALLOCATION_ROWS_H
 
 #include "armtol/allocation.h"
+#include "private_names.h"
 
 #include <stdbool.h>
 #include <stddef.h>

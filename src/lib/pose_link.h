@@ -2,6 +2,7 @@
 #define ARMTOL_LIB_POSE_LINK_H
 
 #include "armtol/poses.h"
+#include "private_names.h"
 
 #include <stdint.h>
 

@@ -3,6 +3,7 @@
 
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "private_names.h"
 
 /* A transform with these upper three rows, each element stored. */
 armtol_transform transform_of_rows(const double rows[3][4], const armtol_errata *errata);

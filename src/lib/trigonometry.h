@@ -2,6 +2,7 @@
 #define ARMTOL_LIB_TRIGONOMETRY_H
 
 #include "armtol/errata.h"
+#include "private_names.h"
 
 /*
  * Erratum `float`: 1987 called libm, and what a float keeps of that is the same on every machine. A double is

@@ -10,6 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #define POSE "0,45,-90,0,45,0"
 #define WISH ".5,.5,.5,.01,.01,.01"
@@ -380,6 +381,30 @@ static void test_a_title_is_escaped_in_json(void)
 
 /* ---- how far it is ---- */
 
+static double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+/* The first bar is drawn after a second; it tells how long the rest takes, in a unit of which there are two or more. */
+static void check_time_left(const char *bar, double total, double longest)
+{
+    static const struct {
+        const char *name;
+        double seconds;
+    } units[] = {{"s", 1}, {"min", 60}, {"h", 3600}, {"d", 86400}};
+    double done, left;
+    char name[4];
+    TEST_ASSERT_EQUAL_INT_MESSAGE(3, sscanf(bar, "%*d %% %lf of %*f arms, %lf %3s left", &done, &left, name), bar);
+    for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
+        left *= strcmp(name, units[i].name) == 0 ? units[i].seconds : 1;
+    }
+    const double rest = (total - done) / done;
+    TEST_ASSERT_TRUE_MESSAGE(0.75 * rest <= left && left <= 1.25 * longest * rest, bar);
+}
+
 static void test_a_terminal_sees_how_far_it_is_and_an_interrupt_prints_what_there_is(void)
 {
     const process_setup setup = {
@@ -387,9 +412,12 @@ static void test_a_terminal_sees_how_far_it_is_and_an_interrupt_prints_what_ther
         .arguments = (const char *const[]){ASKED, "--verify", "10000000000", "--threads", "1", NULL},
         .wires = {WIRE_PIPE, WIRE_PIPE, WIRE_TERMINAL}};
     process process;
+    const double started = seconds_now();
     process_start(&process, &setup);
-    process_expect(&process, " of 10000000000 arms");
-    process_expect(&process, " left"); /* minutes or hours, as the machine is */
+    process_expect(&process, " left");
+    const char *bar = strchr(process.errors.bytes, ']');
+    TEST_ASSERT_NOT_NULL_MESSAGE(bar, process.errors.bytes);
+    check_time_left(bar + 1, 1e10, seconds_now() - started);
     kill(process.id, SIGINT);
     process_finish(&process);
     check_says(&process, "arms are within the accuracy");

@@ -1,4 +1,5 @@
-# The shared library shows what the public headers declare: no more, no less.
+# The shared library shows what the public headers declare: no more, no less. In the static one all names have the
+# library's prefix.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 set(declared "")
@@ -26,5 +27,13 @@ list(REMOVE_ITEM more ${declared})
 list(LENGTH declared count)
 if(missing OR more OR count LESS 50)
   message(FATAL_ERROR "of ${count} declared names ${LIBRARY}\nlacks '${missing}'\nand has besides '${more}'")
+endif()
+run(${NM} -g --defined-only -P ${STATIC})
+string(REGEX MATCHALL "[^ \n]+ [A-Z] [^\n]*" defined "${run_output}")
+list(TRANSFORM defined REPLACE " .*" "")
+list(LENGTH defined count_static)
+list(FILTER defined EXCLUDE REGEX "^_?armtol_")
+if(defined OR count_static LESS count)
+  message(FATAL_ERROR "of ${count_static} names in ${STATIC} these have no prefix: '${defined}'")
 endif()
 message(STATUS "${count} names declared and exported")

@@ -2,6 +2,7 @@
 #define ARMTOL_LIB_ARMS_H
 
 #include "armtol/arm.h"
+#include "../private_names.h"
 
 #include <math.h>
 
