@@ -43,6 +43,18 @@ static void test_a_list_cuts_no_number(void)
                              said.text);
 }
 
+static void test_blanks_may_stand_anywhere_between_numbers(void)
+{
+    static const char *const texts[] = {"1,2,3", " 1 , 2 , 3 ", "1\t,\t2,\n3\n", "1 ,2 ,3", "1, 2, 3", "  1,2,3  "};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        double values[3] = {0, 0, 0};
+        TEST_ASSERT_TRUE_MESSAGE(number_list_parse("--joints", texts[i], "numbers", false, 3, values), texts[i]);
+        for (int k = 0; k < 3; k++) {
+            check_same(k + 1, values[k], "number %d of %s", k, texts[i]);
+        }
+    }
+}
+
 static void test_a_weight_is_not_cut(void)
 {
     static const double q[6];
@@ -70,6 +82,7 @@ int main(void)
     message_start("armtol");
     UNITY_BEGIN();
     RUN_TEST(test_a_list_cuts_no_number);
+    RUN_TEST(test_blanks_may_stand_anywhere_between_numbers);
     RUN_TEST(test_a_weight_is_not_cut);
     return UNITY_END();
 }
