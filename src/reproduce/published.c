@@ -1,5 +1,6 @@
 #include "published.h"
 
+#include "exit_code.h"
 #include "message.h"
 
 #include <errno.h>
@@ -91,7 +92,7 @@ static bool read_all(FILE *stream, const char *path, published_list *list)
             return false;
         }
         if (!append(list, &number)) {
-            message("out of memory");
+            out_of_memory();
             return false;
         }
     }

@@ -1,5 +1,6 @@
 #include "recompute.h"
 
+#include "exit_code.h"
 #include "message.h"
 #include "program.h"
 #include "report.h"
@@ -41,8 +42,12 @@ bool recompute(const published_list *list, size_t first, const armtol_errata *er
 {
     const published_number *number = &list->numbers[first];
     const program *program = program_named(number->program);
-    if (program == NULL || !analysis_start(analysis, program->robot, errata)) {
-        message("%s: %s", number->program, program == NULL ? "unknown program" : "out of memory");
+    if (program == NULL) {
+        message("%s: unknown program", number->program);
+        return false;
+    }
+    if (!analysis_start(analysis, program->robot, errata)) {
+        out_of_memory();
         return false;
     }
     const armtol_status status = run_steps(list, first, analysis);
@@ -74,7 +79,7 @@ char *recompute_files(const published_list *list, size_t first, const armtol_err
     }
     analysis_free(&analysis);
     if (text == NULL) {
-        message("out of memory");
+        out_of_memory();
     }
     return text;
 }

@@ -217,7 +217,7 @@ static bool report(const run_settings *settings, const published_list *list, boo
 static bool run_and_compare(const arguments *arguments, const published_list *list)
 {
     char *out_1987 = path_of("%s/1987", arguments->out);
-    char *out_corrected = path_of("%s/corrected", arguments->out);
+    char *out_corrected = out_1987 != NULL ? path_of("%s/corrected", arguments->out) : NULL;
     bool fine = out_1987 != NULL && out_corrected != NULL;
     if (fine) {
         const run_settings as_1987 = {arguments->programs, NULL, out_1987, arguments->legacy, arguments->runner};

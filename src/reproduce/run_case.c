@@ -1,5 +1,6 @@
 #include "run_case.h"
 
+#include "exit_code.h"
 #include "message.h"
 #include "program.h"
 #include "report.h"
@@ -32,7 +33,7 @@ char *path_of(const char *format, ...)
     if (path != NULL) {
         vsnprintf(path, (size_t)length + 1, format, again);
     } else {
-        message("out of memory");
+        out_of_memory();
     }
     va_end(again);
     va_end(arguments);
@@ -128,7 +129,7 @@ static bool run_port(const run_settings *settings, char *program, const char *fo
                      const char *dialogue)
 {
     char *output = path_of("--output=%s", folder);
-    char *fix = path_of("--fix=%s", settings->fix != NULL ? settings->fix : "");
+    char *fix = output != NULL ? path_of("--fix=%s", settings->fix != NULL ? settings->fix : "") : NULL;
     char *const argv[] = {program, output, settings->fix != NULL ? fix : NULL, NULL};
     const bool fine = output != NULL && fix != NULL && judge(spawn(argv, input, dialogue), program, dialogue);
     free(output);
@@ -154,7 +155,7 @@ static bool run_legacy(const run_settings *settings, char *program, char *folder
 static bool run_in(const run_settings *settings, const published_number *number, char *folder, const char *input)
 {
     char *program = path_of("%s/%s", settings->programs, number->program);
-    char *dialogue = path_of("%s/dialogue", folder);
+    char *dialogue = program != NULL ? path_of("%s/dialogue", folder) : NULL;
     bool fine = program != NULL && dialogue != NULL;
     if (fine) {
         fine = settings->legacy ? run_legacy(settings, program, folder, input, dialogue)
@@ -190,49 +191,50 @@ bool run_case(const run_settings *settings, const published_list *list, size_t f
     return fine;
 }
 
-/* Append a file to the text, which grows and may move; NULL, the text freed, where that fails. */
-static char *append_file(char *text, size_t *length, const char *path)
+/* Append what the stream has to the text, NULL at first, which grows and may move. */
+static bool append_stream(char **text, size_t *length, FILE *stream)
 {
     enum { CHUNK = 4096 };
+    for (size_t got = 1; got > 0; *length += got) {
+        char *grown = realloc(*text, *length + CHUNK + 1);
+        if (grown == NULL) {
+            out_of_memory();
+            return false;
+        }
+        *text = grown;
+        got = fread(grown + *length, 1, CHUNK, stream);
+    }
+    (*text)[*length] = '\0';
+    return !ferror(stream);
+}
+
+static bool append_file(char **text, size_t *length, const char *path)
+{
     FILE *stream = fopen(path, "r");
-    bool fine = stream != NULL;
     if (stream == NULL) {
-        complain(path);
+        return complain(path);
     }
-    for (size_t got = 1; fine && got > 0; *length += got) {
-        char *grown = realloc(text, *length + CHUNK + 1);
-        fine = grown != NULL;
-        text = fine ? grown : text;
-        got = fine ? fread(text + *length, 1, CHUNK, stream) : 0;
-    }
-    if (stream != NULL) {
-        fine = !ferror(stream) && fine;
-        fclose(stream);
-    }
-    if (!fine) {
-        free(text);
-        return NULL;
-    }
-    text[*length] = '\0';
-    return text;
+    const bool fine = append_stream(text, length, stream);
+    fclose(stream);
+    return fine;
 }
 
 char *run_case_results(const run_settings *settings, const published_number *number)
 {
     const program *program = program_named(number->program);
     char *folder = case_folder(settings, number);
-    char *text = folder != NULL && program != NULL ? calloc(1, 1) : NULL;
+    char *text = NULL;
     size_t length = 0;
-    for (int i = REPORT_TOLERANCES; i <= REPORT_MACHINING && text != NULL; i++) {
+    bool fine = folder != NULL && program != NULL;
+    for (int i = REPORT_TOLERANCES; i <= REPORT_MACHINING && fine; i++) {
         char *path = path_of_file(folder, program, i);
-        if (path != NULL) {
-            text = append_file(text, &length, path);
-        } else {
-            free(text);
-            text = NULL;
-        }
+        fine = path != NULL && append_file(&text, &length, path);
         free(path);
     }
     free(folder);
+    if (!fine) {
+        free(text);
+        text = NULL;
+    }
     return text;
 }

@@ -8,7 +8,7 @@
 static struct {
     const char *program;
     size_t length;
-    char text[1 << 16];
+    char text[1 << 20];
 } caught;
 
 /* What does not fit is counted and not kept. */

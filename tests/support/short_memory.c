@@ -33,11 +33,13 @@ void *__real_calloc(size_t count, size_t size);
 void *__real_realloc(void *old, size_t size);
 char *__real_strdup(const char *text);
 FILE *__real_fdopen(int descriptor, const char *mode);
+FILE *__real_open_memstream(char **text, size_t *size);
 void *__wrap_malloc(size_t size);
 void *__wrap_calloc(size_t count, size_t size);
 void *__wrap_realloc(void *old, size_t size);
 char *__wrap_strdup(const char *text);
 FILE *__wrap_fdopen(int descriptor, const char *mode);
+FILE *__wrap_open_memstream(char **text, size_t *size);
 
 void *__wrap_malloc(size_t size)
 {
@@ -62,4 +64,9 @@ char *__wrap_strdup(const char *text)
 FILE *__wrap_fdopen(int descriptor, const char *mode)
 {
     return memory_fails() ? NULL : __real_fdopen(descriptor, mode);
+}
+
+FILE *__wrap_open_memstream(char **text, size_t *size)
+{
+    return memory_fails() ? NULL : __real_open_memstream(text, size);
 }

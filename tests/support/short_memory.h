@@ -3,8 +3,8 @@
 
 /*
  * Memory that runs out. In a program that is linked with the linker's --wrap (armtol_test_short_memory in
- * tests/CMakeLists.txt) the calls of malloc, calloc, realloc and strdup in the project's own code, and those of fdopen,
- * which allocates a stream, are counted. Libraries' own calls are not.
+ * tests/CMakeLists.txt) the calls of malloc, calloc, realloc and strdup in the project's own code, and those of fdopen
+ * and open_memstream, which allocate a stream, are counted. Libraries' own calls are not.
  */
 
 /* The next n allocations succeed, all after them fail; 0: none does. */

@@ -1,6 +1,6 @@
 #include "elsewhere.h"
 
-#include "message.h"
+#include "exit_code.h"
 #include "uniform_draw.h"
 #include "walk.h"
 
@@ -72,7 +72,7 @@ static bool answers_start(answers *answers, const family *family, size_t n_wishe
                                 .defaults = malloc(n_wishes * sizeof *answers->defaults)};
     if (answers->wishes == NULL || answers->defaults == NULL ||
         !walk_start(&answers->walk, family, (const double(*)[MOST_WISH])answers->wishes, n_wishes)) {
-        message("out of memory");
+        out_of_memory();
         answers_free(answers);
         return false;
     }
@@ -176,7 +176,7 @@ bool elsewhere_compare_all(const family *family, const configuration configurati
     }
     uint64_t *numbers = malloc(2 * n_configurations * sizeof *numbers);
     if (numbers == NULL) {
-        message("out of memory");
+        out_of_memory();
     } else {
         compare_each(&answers, configurations, n_configurations, numbers, numbers + n_configurations);
         summarize(numbers, numbers + n_configurations, n_configurations, spread);

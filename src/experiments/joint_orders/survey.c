@@ -1,6 +1,6 @@
 #include "survey.h"
 
-#include "message.h"
+#include "exit_code.h"
 #include "walk.h"
 
 #include <math.h>
@@ -21,7 +21,7 @@ static void *grown(void *list, size_t count, size_t size)
     const bool full = (count & (count - 1)) == 0; /* 0, or a power of 2 */
     void *longer = full ? realloc(list, (count == 0 ? 1 : 2 * count) * size) : list;
     if (longer == NULL) {
-        message("out of memory");
+        out_of_memory();
     }
     return longer;
 }
@@ -129,7 +129,7 @@ bool survey_run(survey *survey, const restriction *given)
     walk walk;
     configuration configuration = family_default();
     if (!walk_start(&walk, survey->family, survey->evidence->wishes, survey->evidence->n_cases)) {
-        message("out of memory");
+        out_of_memory();
         return false;
     }
     bool fine = true;

@@ -40,7 +40,7 @@ static int run(const published_list *list, const yield_options *options)
     const size_t n_cases = count_cases(list);
     yield_case *cases = calloc(n_cases, sizeof *cases);
     if (cases == NULL) {
-        message("out of memory");
+        out_of_memory();
         return EXIT_FAILED;
     }
     const int code = run_cases(list, options, cases, n_cases);

@@ -76,7 +76,7 @@ static int run_sets(const analysis *published, const analysis *corrected, const 
     const bool fine = run_set(corrected, published, options, &arm, &result->sets[SET_PUBLISHED]) &&
                       run_set(corrected, corrected, options, &arm, &result->sets[SET_CORRECTED]);
     if (!fine) {
-        message("out of memory");
+        out_of_memory();
     }
     return fine ? EXIT_OK : EXIT_FAILED;
 }

@@ -1,0 +1,36 @@
+/* The whole of joint-orders in this process, memory running out at every place where it can. Built with --wrap. */
+
+#include "short_main.h"
+#include "short_memory.h"
+
+#include "unity.h"
+
+#include <stddef.h>
+
+int joint_orders_main(int argc, char *argv[]);
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    memory_is_enough();
+}
+
+/* So much is given that the survey is done in no time. */
+#define GIVEN \
+    "--given=matrices=float,sums=each,sines=double,base=inverse,constants=double,order=q6,last-link=matrix," \
+    "right-angle=float,pi=3.14159,joints=float,plane=written,q345=x5,wrist=t06"
+
+static void test_a_survey(void)
+{
+    check_short_main(joint_orders_main, (const char *const[]){"joint-orders", GIVEN, TEST_PUBLISHED, NULL}, 100);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_a_survey);
+    return UNITY_END();
+}

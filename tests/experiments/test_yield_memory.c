@@ -1,0 +1,31 @@
+/* The whole of yield in this process, memory running out at every place where it can. Built with --wrap. */
+
+#include "short_main.h"
+#include "short_memory.h"
+
+#include "unity.h"
+
+#include <stddef.h>
+
+int yield_main(int argc, char *argv[]);
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+    memory_is_enough();
+}
+
+static void test_a_run(void)
+{
+    check_short_main(yield_main, (const char *const[]){"yield", "-n", "1", TEST_PUBLISHED, NULL}, 100);
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_a_run);
+    return UNITY_END();
+}

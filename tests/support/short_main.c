@@ -1,0 +1,65 @@
+#include "short_main.h"
+
+#include "exit_code.h"
+
+#include "said.h"
+#include "short_memory.h"
+
+#include "unity.h"
+
+#include <fcntl.h>
+#include <getopt.h>
+#include <stdio.h>
+#include <unistd.h>
+
+enum { MOST = 16, LENGTH = 256 };
+static char texts[MOST][LENGTH];
+
+/* What it prints before memory runs out is nobody's business here. */
+static int run_quietly(main_routine *entry, int argc, char *argv[])
+{
+    fflush(stdout);
+    const int before = dup(STDOUT_FILENO), nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, STDOUT_FILENO);
+    close(nowhere);
+    optind = 1;
+    const int code = entry(argc, argv);
+    fflush(stdout);
+    dup2(before, STDOUT_FILENO);
+    close(before);
+    return code;
+}
+
+/* A copy of their own: a main may change them. */
+static int take_arguments(const char *const arguments[], char *argv[])
+{
+    int argc = 0;
+    for (; arguments[argc] != NULL; argc++) {
+        TEST_ASSERT_TRUE(argc < MOST);
+        snprintf(texts[argc], sizeof texts[argc], "%s", arguments[argc]);
+        argv[argc] = texts[argc];
+    }
+    argv[argc] = NULL;
+    return argc;
+}
+
+void check_short_main(main_routine *entry, const char *const arguments[], long least)
+{
+    int code = EXIT_FAILED;
+    long n = 0;
+    for (; code != EXIT_OK; n++) {
+        char *argv[MOST + 1];
+        const int argc = take_arguments(arguments, argv);
+        char message[96];
+        said said;
+        snprintf(message, sizeof message, "%s: out of memory\n", arguments[0]);
+        said_begin();
+        memory_is_left(n);
+        code = run_quietly(entry, argc, argv);
+        memory_is_enough();
+        said_end(&said);
+        TEST_ASSERT_EQUAL_STRING(code == EXIT_OK ? "" : message, said.text);
+        TEST_ASSERT_TRUE(code == EXIT_OK || code == EXIT_FAILED);
+    }
+    TEST_ASSERT_TRUE_MESSAGE(n > least, "too few allocations: were they seen?");
+}
