@@ -88,12 +88,14 @@ coverage: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
 	@.ci/setup gcovr
 	@JOBS=$(JOBS) CMAKE_FLAGS="$(CMAKE_FLAGS)" tests/trust/coverage "$(CURDIR)" "$(abspath $(BUILD))/coverage"
 
-# Would the tests notice? MUTANTS small changes of the sources, drawn with SEED. Needs Python and its package index.
+# Would the tests notice? MUTANTS small changes of the sources, drawn with SEED; AGAIN=yes: those that survived the last
+# time. Needs Python and its package index.
 MUTANTS ?= 100
 SEED    ?= 1
 mutants: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
 	@.ci/setup venv
-	@tests/trust/mutants "$(CURDIR)" "$(abspath $(BUILD))/mutants" --mutants $(MUTANTS) --seed $(SEED)
+	@tests/trust/mutants "$(CURDIR)" "$(abspath $(BUILD))/mutants" --mutants $(MUTANTS) --seed $(SEED) \
+	    $(if $(AGAIN),--again)
 
 # All code but legacy/ read by gcc's and clang's analysers and cppcheck; any finding is a failure.
 analyse: setup

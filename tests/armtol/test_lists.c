@@ -94,6 +94,15 @@ static void check_poses_refused(const char *expected, const char *text)
     TEST_ASSERT_EQUAL_UINT(0, n_poses);
 }
 
+static void test_a_wrong_pose_of_one_joint(void)
+{
+    double *poses;
+    size_t n_poses;
+    said said;
+    TEST_ASSERT_FALSE(read_poses("1\nx\n", 4, 1, &poses, &n_poses, &said));
+    TEST_ASSERT_EQUAL_STRING("armtol: poses.csv:2:1: \"x\" is not a number; expected the values of 1 joint\n", said.text);
+}
+
 static void test_wrong_poses(void)
 {
     check_poses_refused(" no poses; expected a line of 3 joint values for each", "");
@@ -250,6 +259,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_poses);
     RUN_TEST(test_many_poses);
+    RUN_TEST(test_a_wrong_pose_of_one_joint);
     RUN_TEST(test_wrong_poses);
     RUN_TEST(test_parameters);
     RUN_TEST(test_wrong_heads_of_parameters);

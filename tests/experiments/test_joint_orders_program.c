@@ -80,6 +80,41 @@ static void test_formats(void)
     check_says("\nwrist=t05\tthe wrist\tthe position of T05\n");
     run(WITH("-s", "family"), NULL);
     check_says("\n  wrist: the wrist\n    t06  ");
+    run(WITH("-s", "family", "-f", "markdown"), NULL);
+    check_says("\n- `wrist`: the wrist\n  - `t06`: the position of T06 less");
+}
+
+/* What the library does is among what fits. */
+static void test_the_library_fits(void)
+{
+    run(WITH("--show=all",
+             "--given=matrices=float,sums=each,sines=double,base=inverse,constants=double,order=q6,last-link=matrix",
+             "--given=right-angle=float,pi=3.14159,joints=float,plane=written,q345=x5,wrist=t06"), NULL);
+    process_check_status(&process_of, 0, "the library");
+    check_says("(the library's)");
+}
+
+static void test_more_cases_than_there_is_room_for(void)
+{
+    const string folder = folder_new(), path = string_of("%s/five.tsv", folder.text);
+    text table = {0};
+    for (int number = 1; number <= 5; number++) {
+        for (int i = 0; i < 6; i++) {
+            static const char *const names[] = {"x", "y", "z", "gamma", "beta", "alpha"};
+            const string line = string_of("intella\t%d\twish\t%s\t%s\t-\n", number, names[i], i < 2 ? "200" : "0");
+            strcat(table.bytes, line.text);
+        }
+        for (int i = 1; i <= 6; i++) {
+            const string line = string_of("intella\t%d\tresult\ttheta[%d]\t0.500000\t-\n", number, i);
+            strcat(table.bytes, line.text);
+        }
+    }
+    file_write(path.text, table.bytes);
+    const char *const five[] = {path.text, NULL};
+    const process_setup setup = {.program = TEST_JOINT_ORDERS, .arguments = five};
+    process_run(&process_of, &setup, "");
+    TEST_ASSERT_TRUE(process_of.status == 1 || process_of.status == 2);
+    TEST_ASSERT_EQUAL_STRING("joint-orders: intella: more than 4 cases\n", process_of.errors.bytes);
 }
 
 static void test_wrong_usage_is_named(void)
@@ -137,6 +172,8 @@ int main(void)
     RUN_TEST(test_the_chain_fits_in_some_precisions);
     RUN_TEST(test_the_same_words_every_time);
     RUN_TEST(test_formats);
+    RUN_TEST(test_the_library_fits);
+    RUN_TEST(test_more_cases_than_there_is_room_for);
     RUN_TEST(test_wrong_usage_is_named);
     RUN_TEST(test_the_published_numbers_are_needed);
     RUN_TEST(test_help_and_version);

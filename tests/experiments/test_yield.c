@@ -399,6 +399,17 @@ static void test_wrong_options_are_refused(void)
     check_refused((const char *const[]){"--format=html", TEST_PUBLISHED, NULL}, "text, markdown or tsv");
 }
 
+static void test_help_and_version(void)
+{
+    process process;
+    run(&process, (const char *const[]){"--help", NULL});
+    process_check_status(&process, 0, "--help");
+    TEST_ASSERT_EQUAL_INT(0, strncmp(process.output.bytes, "Usage: yield [OPTION]... PUBLISHED\n", 35));
+    run(&process, (const char *const[]){"-V", NULL});
+    process_check_status(&process, 0, "-V");
+    TEST_ASSERT_EQUAL_STRING("yield (armtol) " TEST_VERSION "\n", process.output.bytes);
+}
+
 static void test_a_table_that_is_not_there_is_refused(void)
 {
     process process;
@@ -452,6 +463,7 @@ int main(void)
     RUN_TEST(test_a_seed_says_what_is_drawn);
     RUN_TEST(test_the_interval_of_a_share);
     RUN_TEST(test_wrong_options_are_refused);
+    RUN_TEST(test_help_and_version);
     RUN_TEST(test_a_table_that_is_not_there_is_refused);
     RUN_TEST(test_the_same_seed_prints_the_same);
     RUN_TEST(test_formats);

@@ -308,6 +308,13 @@ static void test_what_is_missing(void)
     file_check(file.text, "in the way\n", "the file in the way");
 }
 
+static void test_no_room_for_the_input(void)
+{
+    const string out = folder_new(), set = folder_below(out.text, "1987"), first = folder_below(set.text, "intella-1");
+    const string input = folder_below(first.text, "input"), words = string_of("%s: Is a directory\n", input.text);
+    check_fails(TEST_PROGRAMS, TEST_PUBLISHED, out.text, words.text);
+}
+
 static void test_table_that_cannot_be_read(void)
 {
     const string folder = folder_new();
@@ -364,6 +371,30 @@ static void check_lines(const text *said, const char *const lines[], size_t coun
             fail_with("expected the line \"%s\" in \"%s\"", lines[i], rest);
         }
         rest = found + strlen(line.text) - 1;
+    }
+}
+
+/* An unknown program, a case without its accuracy, a wish that is out of reach. */
+static void test_cases_that_cannot_be_computed(void)
+{
+    static const struct {
+        const char *table, *message;
+    } rows[] = {
+        {"puma\t1\twish\tx\t200\t-\n", "reproduce: puma: unknown program\n"},
+        {"adpta\t1\twish\tx\t200\t-\nadpta\t1\twish\ty\t200\t-\nadpta\t1\twish\tz\t0\t-\n"
+         "adpta\t1\twish\ttheta\t0\t-\n", "reproduce: adpta, case 1: "},
+        {"adpta\t2\twish\tx\t2000\t-\nadpta\t2\twish\ty\t200\t-\nadpta\t2\twish\tz\t0\t-\n"
+         "adpta\t2\twish\ttheta\t0\t-\nadpta\t2\ttolerance\tdx\t.5\t-\nadpta\t2\ttolerance\tdy\t.5\t-\n"
+         "adpta\t2\ttolerance\tdz\t.5\t-\nadpta\t2\ttolerance\tdwx\t.1\t-\nadpta\t2\ttolerance\tdwy\t.1\t-\n"
+         "adpta\t2\ttolerance\tdwz\t.1\t-\nadpta\t2\tdelta\tdelta\t.1\t-\n", "reproduce: adpta, case 2: "},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const string folder = folder_new(), table = string_of("%s/table.tsv", folder.text);
+        process process;
+        file_write(table.text, rows[i].table);
+        run_reproduce((const char *const[]){"--errata", table.text, NULL}, &process);
+        process_check_status(&process, 1, rows[i].message);
+        check_says(&process.errors, rows[i].message);
     }
 }
 
@@ -482,9 +513,11 @@ int main(void)
     RUN_TEST(test_broken_tables);
     RUN_TEST(test_case_that_is_only_partly_a_number);
     RUN_TEST(test_what_is_missing);
+    RUN_TEST(test_no_room_for_the_input);
     RUN_TEST(test_table_that_cannot_be_read);
     RUN_TEST(test_programs_that_fail);
     RUN_TEST(test_files_of_an_earlier_run_do_not_count);
+    RUN_TEST(test_cases_that_cannot_be_computed);
     RUN_TEST(test_walk_from_1987_to_corrected);
     RUN_TEST(test_each_erratum_alone);
     RUN_TEST(test_portability_is_of_66_numbers);

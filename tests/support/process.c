@@ -217,8 +217,15 @@ static void child_changes_user(uid_t user)
 
 static void child_limits_files(rlim_t largest)
 {
-    const struct rlimit limit = {largest, largest};
-    if (largest != 0 && setrlimit(RLIMIT_FSIZE, &limit) < 0) {
+    struct rlimit limit;
+    if (largest == 0) {
+        return;
+    }
+    if (getrlimit(RLIMIT_FSIZE, &limit) < 0) {
+        child_fails("file size limit");
+    }
+    limit.rlim_cur = largest;
+    if (setrlimit(RLIMIT_FSIZE, &limit) < 0) {
         child_fails("file size limit");
     }
 }

@@ -26,13 +26,13 @@ static void end_faults(void)
     }
 }
 
-/* Only root may; else there is no place for this run's counts, and half of them would spoil those of other runs. */
+/* Where that cannot be there is no place for this run's counts, and half of them would spoil those of other runs. */
 static void end_limit(int resource, rlim_t enough)
 {
     struct rlimit limit;
     if (getrlimit(resource, &limit) == 0 && limit.rlim_cur < enough) {
-        limit.rlim_cur = limit.rlim_max = enough;
-        if (setrlimit(resource, &limit) != 0) {
+        limit.rlim_cur = limit.rlim_max;
+        if (limit.rlim_max < enough || setrlimit(resource, &limit) != 0) {
             setenv("GCOV_PREFIX", "/dev/null", 1);
         }
     }

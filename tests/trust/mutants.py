@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """Would the tests notice? Small changes (mutants) of the sources of the library and the programs, one at a time.
 
-    mutants.py SOURCE BUILD --mutants N --seed S [--jobs J] [--only REGEX]
+    mutants.py SOURCE BUILD --mutants N --seed S [--jobs J] [--only REGEX] | --again
 
 All mutants of the chosen files are made by universalmutator, shuffled with the seed, and taken in turn: one that does not
 compile (a return left out is an error), or whose object file at -O2 is the original's, is no mutant and is passed over,
 until there are N. Each is put into a copy of the tree below BUILD and built, and the tests run until one fails: killed.
-What no test notices is listed, unless tests/trust/survivors.tsv says why nothing could notice it.
+What no test notices is listed, unless tests/trust/survivors.tsv says why nothing could notice it; BUILD/survivors.json
+has it too, and --again takes those once more, when there are new tests.
 
 Exit status: 0 at least 95 of 100 are killed or explained; 1 fewer; 2 usage.
 """
@@ -26,6 +27,9 @@ import signal
 import subprocess
 import sys
 import time
+
+# What runs beyond an array, say, is noticed, as in CI's sanitizer build.
+FLAGS = "-O1 -fsanitize=undefined -fno-sanitize-recover=undefined"
 
 FOLDERS = ("src/lib", "src/program", "src/armtol")
 WANTED = 0.95
@@ -169,7 +173,7 @@ class Tree:
         if shutil.which("ninja"):
             cmake = ["-G", "Ninja"] + cmake # much the quicker where little has changed
         done = run("cmake", "-S", str(self.root), "-B", str(self.build), "-DBUILD_TESTING=ON",
-                   "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_C_FLAGS_RELEASE=-O1",
+                   "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_C_FLAGS_RELEASE=" + FLAGS,
                    "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", *cmake)
         if done.returncode == 0:
             done = run("cmake", "--build", str(self.build), "--parallel", "2")
@@ -282,6 +286,24 @@ def one_line(text):
     return " ".join(text.split())
 
 
+def write_survivors(build, root, results):
+    left = [(m[0], key_of(root, m)[1], m[2]) for m, verdict in results if verdict == "survived"]
+    (build / "survivors.json").write_text(json.dumps(left, indent=1))
+
+
+def survivors_of(build, root):
+    """Those of the last run whose line is still there."""
+    path = build / "survivors.json"
+    if not path.exists():
+        fail("there is no %s; run without --again first" % path)
+    mutants = []
+    for name, line, changed in json.loads(path.read_text()):
+        lines = [one_line(text) for text in (root / name).read_text().splitlines()]
+        if line in lines:
+            mutants.append((name, lines.index(line) + 1, changed))
+    return mutants
+
+
 def key_of(root, mutant):
     name, number, changed = mutant
     return name, one_line((root / name).read_text().splitlines()[number - 1]), one_line(changed)
@@ -341,6 +363,7 @@ def main():
     parser.add_argument("--seed", default="1")
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="")
+    parser.add_argument("--again", action="store_true")
     parser.add_argument("--cmake", action="append", default=[])
     asked = parser.parse_args()
     root, build = asked.source.resolve(), asked.build.resolve()
@@ -349,9 +372,13 @@ def main():
     except ImportError:
         fail("the Python package universalmutator is not to be had")
 
-    pool = [mutant for name in sources(root, asked.only) for mutant in mutants_of(root, name)]
-    random.Random(asked.seed).shuffle(pool)
-    print("%d mutants, drawn with seed %s from %d" % (asked.mutants, asked.seed, len(pool)), flush=True)
+    if asked.again:
+        pool = survivors_of(build, root)
+        print("%d mutants that survived before" % len(pool), flush=True)
+    else:
+        pool = [mutant for name in sources(root, asked.only) for mutant in mutants_of(root, name)]
+        random.Random(asked.seed).shuffle(pool)
+        print("%d mutants, drawn with seed %s from %d" % (asked.mutants, asked.seed, len(pool)), flush=True)
 
     trees = [Tree(root, build / ("tree-%d" % i), asked.cmake) for i in range(asked.jobs)]
     failing = trees[0].try_unchanged()
@@ -372,7 +399,8 @@ def main():
         if verdict == "survived" and not known:
             print("     - %s\n     + %s" % (lines[name][number - 1].strip(), changed.strip()), flush=True)
 
-    results = draw(trees, pool, asked.mutants, report)
+    results = draw(trees, pool, len(pool) if asked.again else asked.mutants, report)
+    write_survivors(build, root, results)
     share = print_table(results, reasons, root)
     print("\n%.1f of 100 noticed or explained; wanted: %.0f" % (100 * share, 100 * WANTED))
     sys.exit(0 if share >= WANTED else 1)
