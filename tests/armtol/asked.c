@@ -5,18 +5,30 @@
 
 #include "unity.h"
 
+#include <unistd.h>
+
 cli_options question(const char *arm, const char *joints, const char *accuracy)
 {
     return (cli_options){.arm = arm, .joints = joints, .accuracy = accuracy, .sigma = 3, .seed = 1987};
 }
 
+static int lowest_free_descriptor(void)
+{
+    const int descriptor = dup(STDIN_FILENO);
+    TEST_ASSERT_TRUE(descriptor >= 0);
+    close(descriptor);
+    return descriptor;
+}
+
 void asked_make(asked *asked, const cli_options *options)
 {
+    const int lowest = lowest_free_descriptor();
     asked->options = *options;
     TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, arm_source_read(&asked->options, &asked->model), options->arm);
     TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, request_make(&asked->request, &asked->options, &asked->model),
                                   options->arm);
     TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, answer_make(&asked->answer, &asked->request), options->arm);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(lowest, lowest_free_descriptor(), "a file was left open");
 }
 
 void asked_free(asked *asked)

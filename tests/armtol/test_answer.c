@@ -11,6 +11,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 enum { TEXT = 256 };
 
@@ -231,6 +232,29 @@ static void test_the_ur5e_of_a_urdf_has_the_tolerances_of_its_table(void)
     asked_free(&urdf);
 }
 
+static void test_an_arm_from_a_pipe(void)
+{
+    static const char table[] = "units: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n";
+    int pair[2];
+    asked piped, read;
+    const string folder = folder_new(), file = string_of("%s/arm.csv", folder.text);
+    file_write(file.text, table);
+    TEST_ASSERT_EQUAL_INT(0, pipe(pair));
+    TEST_ASSERT_EQUAL_INT(sizeof table - 1, write(pair[1], table, sizeof table - 1));
+    close(pair[1]);
+    const string path = string_of("/dev/fd/%d", pair[0]);
+    const cli_options from_pipe = question(path.text, "0.5", "1,1,-,-,-,.1");
+    const cli_options from_file = question(file.text, "0.5", "1,1,-,-,-,.1");
+    asked_make(&piped, &from_pipe);
+    asked_make(&read, &from_file);
+    for (size_t k = 0; k < read.request.posed.n_columns; k++) {
+        check_same(read.answer.tolerances[k], piped.answer.tolerances[k], "column %zu", k);
+    }
+    asked_free(&piped);
+    asked_free(&read);
+    close(pair[0]);
+}
+
 /* ---- several poses ---- */
 
 static void test_several_poses_are_as_narrow_as_each_of_them(void)
@@ -272,6 +296,7 @@ int main(void)
     RUN_TEST(test_degrees_and_metres_change_the_units_and_nothing_else);
     RUN_TEST(test_a_tool_offset_moves_the_point_that_is_meant);
     RUN_TEST(test_the_ur5e_of_a_urdf_has_the_tolerances_of_its_table);
+    RUN_TEST(test_an_arm_from_a_pipe);
     RUN_TEST(test_several_poses_are_as_narrow_as_each_of_them);
     return UNITY_END();
 }
