@@ -307,6 +307,7 @@ static void test_wrong_head_rows(void)
     check_refused("2:15: a second column \"a\"", UNITS "joint,a,alpha,A,d,theta\n");
     check_refused("2:9: a column without a name", UNITS "joint,a,,alpha,d,theta\n");
     check_refused("2:1: a column without a name", UNITS ",joint,a,alpha,d,theta\n");
+    check_refused("2:6: the head row has no column \"a\"", UNITS "joint\njoint,a,alpha,d,theta\ntheta,1,0,0,0\n");
     check_refused("2:16: the head row has no column \"theta\"", UNITS "joint,a,alpha,d\n");
     check_refused("2:22: the head row has no column \"joint\"", UNITS "kind,theta,a,alpha,d,,,\n");
     check_refused("1:1: no units above the table; expected a line \"units: mm deg\" (mm or m, deg or rad)",

@@ -24,7 +24,7 @@ void tearDown(void)
 typedef bool reader(FILE *stream);
 
 /* With no allocation that succeeds, with one, with two ... until there are enough. */
-static void check_out_of_memory(reader *read, const char *text, long least)
+static void check_lack(reader *read, const char *text, memory_lack lack, long least)
 {
     bool fine = false;
     long n = 0;
@@ -32,14 +32,22 @@ static void check_out_of_memory(reader *read, const char *text, long least)
         FILE *stream = stream_of(text, strlen(text));
         said said;
         said_begin();
-        memory_is_left(n);
+        memory_is_left(n, lack);
         fine = read(stream);
+        TEST_ASSERT_TRUE(fine != memory_was_short());
         memory_is_enough();
         said_end(&said);
         fclose(stream);
         TEST_ASSERT_EQUAL_STRING(fine ? "" : "armtol: out of memory\n", said.text);
     }
     TEST_ASSERT_TRUE(n > least);
+}
+
+static void check_out_of_memory(reader *read, const char *text, long least)
+{
+    for (memory_lack lack = LACK_FOR_GOOD; lack < LACKS; lack++) {
+        check_lack(read, text, lack, least);
+    }
 }
 
 static bool read_arm(FILE *stream)

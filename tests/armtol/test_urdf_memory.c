@@ -46,7 +46,7 @@ void tearDown(void)
 }
 
 /* With no allocation that succeeds, with one, with two ... until there are enough. */
-static void test_the_ur5e(void)
+static void check_lack(memory_lack lack)
 {
     bool fine = false;
     long n = 0;
@@ -56,8 +56,9 @@ static void test_the_ur5e(void)
         FILE *const stream = fopen(TEST_UR5E, "r");
         TEST_ASSERT_NOT_NULL(stream);
         said_begin();
-        memory_is_left(n);
+        memory_is_left(n, lack);
         fine = urdf_read(stream, "ur5e.urdf", "base_link", "tool0", &model);
+        TEST_ASSERT_TRUE(fine != memory_was_short());
         memory_is_enough();
         said_end(&said);
         fclose(stream);
@@ -66,6 +67,12 @@ static void test_the_ur5e(void)
     }
     /* A name for each of 11 links, three for each of 10 joints, four tables of an arm, five parts of it. */
     TEST_ASSERT_TRUE(n > 11 + 3 * 10 + 4 + 5);
+}
+
+static void test_the_ur5e(void)
+{
+    check_lack(LACK_FOR_GOOD);
+    check_lack(LACK_ONCE);
 }
 
 int main(void)

@@ -86,7 +86,7 @@ static void test_memory_that_is_refused(void)
         said said;
         memset(&found, 0, sizeof found);
         said_begin();
-        memory_is_left(had);
+        memory_is_left(had, LACK_FOR_GOOD);
         const bool fine = verification_run(&task, &found);
         memory_is_enough();
         said_end(&said);

@@ -95,7 +95,7 @@ static void test_memory_that_runs_out(void)
         for (long n = 0; code != EXIT_OK; n++) {
             const string folder = folder_new();
             said said;
-            memory_is_left(n);
+            memory_is_left(n, LACK_FOR_GOOD);
             code = run_here(i, folder.text, answers.text, &said);
             if (code != EXIT_OK) {
                 TEST_ASSERT_EQUAL_INT(EXIT_FAILED, code);

@@ -22,15 +22,15 @@ void tearDown(void)
 
 static void test_every_table(void)
 {
-    check_short_main(reproduce_main, (const char *const[]){"reproduce", "--errata", TEST_PUBLISHED, NULL}, 100);
-    check_short_main(reproduce_main, (const char *const[]){"reproduce", "--walk", TEST_PUBLISHED, NULL}, 100);
-    check_short_main(reproduce_main, (const char *const[]){"reproduce", "--portability", TEST_PUBLISHED, NULL}, 100);
+    check_short_main(reproduce_main, (const char *const[]){"reproduce", "--errata", TEST_ONE_CASE, NULL}, 20);
+    check_short_main(reproduce_main, (const char *const[]){"reproduce", "--walk", TEST_ONE_CASE, NULL}, 20);
+    check_short_main(reproduce_main, (const char *const[]){"reproduce", "--portability", TEST_ONE_CASE, NULL}, 20);
 }
 
 static void test_the_cases(void)
 {
     const string out = folder_new();
-    check_short_main(reproduce_main, (const char *const[]){"reproduce", TEST_PROGRAMS, TEST_PUBLISHED, out.text, NULL}, 100);
+    check_short_main(reproduce_main, (const char *const[]){"reproduce", TEST_PROGRAMS, TEST_ONE_CASE, out.text, NULL}, 20);
 }
 
 int main(void)

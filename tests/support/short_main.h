@@ -6,8 +6,9 @@
 typedef int main_routine(int argc, char *argv[]);
 
 /*
- * entry is its main, which armtol_test_short_main in tests/CMakeLists.txt has compiled under another name. Runs it with no allocation that succeeds, with one, with two ... until it ends well: before that it has to end with
- * EXIT_FAILED and the message that memory is short. arguments, the name first, go up to a NULL. Fewer than `least`
+ * entry is its main, which armtol_test_short_main in tests/CMakeLists.txt has compiled under another name. Runs it with no allocation that succeeds, with one, with two ... until none fails: before that it has to end with
+ * EXIT_FAILED and the message that memory is short. The same where one allocation alone fails; it may then do without,
+ * and say nothing. arguments, the name first, go up to a NULL. Fewer than `least`
  * allocations would be too few to be true.
  */
 void check_short_main(main_routine *entry, const char *const arguments[], long least);

@@ -2,15 +2,23 @@
 
 #include <errno.h>
 #include <limits.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
 static long left = LONG_MAX;
+static memory_lack kind;
+static bool short_of_it;
 
-void memory_is_left(long n)
+void memory_is_left(long n, memory_lack lack)
 {
     left = n;
+    kind = lack;
+    short_of_it = false;
+}
+
+bool memory_was_short(void)
+{
+    return short_of_it;
 }
 
 void memory_is_enough(void)
@@ -21,11 +29,13 @@ void memory_is_enough(void)
 /* Counts as one. */
 static bool memory_fails(void)
 {
-    if (left-- > 0) {
-        return false;
+    const bool fails = kind == LACK_ONCE ? left == 0 : left <= 0;
+    left--;
+    if (fails) {
+        short_of_it = true;
+        errno = ENOMEM;
     }
-    errno = ENOMEM;
-    return true;
+    return fails;
 }
 
 void *__real_malloc(size_t size);
