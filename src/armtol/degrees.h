@@ -13,11 +13,13 @@
 /* text is a decimal number in the sense of number_parse. */
 double degrees_parse(const char *text);
 
-/*
- * The shortest text that degrees_parse takes for this double, of six digits or more. radians is at most LARGEST_ANGLE, so
- * that a double holds the degrees. Below 1e-280 radians the text may be taken for a neighbour. Returns shortest->text.
- */
+/* In radians: of it, and of what is less, a double holds the degrees too. */
 #define LARGEST_ANGLE 3.1e306
+
+/*
+ * The shortest text that degrees_parse takes for this double, of six digits or more. radians is LARGEST_ANGLE at most;
+ * below 1e-280 the text may be taken for a neighbour. Returns shortest->text.
+ */
 const char *degrees_shortest(double radians, number_text *shortest);
 
 #endif
