@@ -287,20 +287,21 @@ def one_line(text):
 
 
 def write_survivors(build, root, results):
-    left = [(m[0], key_of(root, m)[1], m[2]) for m, verdict in results if verdict == "survived"]
+    left = [(m[0], m[1], key_of(root, m)[1], m[2]) for m, verdict in results if verdict == "survived"]
     (build / "survivors.json").write_text(json.dumps(left, indent=1))
 
 
 def survivors_of(build, root):
-    """Those of the last run whose line is still there."""
+    """Those of the last run whose line is still there: the one nearest to where it was."""
     path = build / "survivors.json"
     if not path.exists():
         fail("there is no %s; run without --again first" % path)
     mutants = []
-    for name, line, changed in json.loads(path.read_text()):
-        lines = [one_line(text) for text in (root / name).read_text().splitlines()]
-        if line in lines:
-            mutants.append((name, lines.index(line) + 1, changed))
+    for name, number, line, changed in json.loads(path.read_text()):
+        lines = (root / name).read_text().splitlines()
+        there = [n for n, text in enumerate(lines, 1) if one_line(text) == line]
+        if there:
+            mutants.append((name, min(there, key=lambda n: abs(n - number)), changed))
     return mutants
 
 
