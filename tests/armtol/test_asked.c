@@ -181,6 +181,34 @@ static void test_the_tables_are_the_json_in_short(void)
     check_component_rows(find_tables(&text, &json, "\n  component", "\"components\""));
 }
 
+/*
+ * A link of 100 mm along x, about to turn about z: its motor moves y and turns about z, its length moves x, and nothing
+ * moves the rest.
+ */
+static void test_the_budget_of_one_link(void)
+{
+    static const char *const says[] = {
+        "  link            dx     dy   dz   wx   wy     wz\n",
+        "  0 machining  100.0    0.0  0.0  0.0  0.0    0.0\n",
+        "  0 motor        0.0  100.0  0.0  0.0  0.0  100.0\n",
+        "  all motors     0.0  100.0  0.0  0.0  0.0  100.0\n",
+        "a whole component being 60 long\n",
+        "  dx motors    |\n     machining |000000000000000000000000000000000000000000000000000000000000\n",
+        "  dy motors    |000000000000000000000000000000000000000000000000000000000000\n     machining |\n",
+        "  dz motors    |\n     machining |\n",
+        "  wy motors    |\n     machining |\n",
+        "  wz motors    |000000000000000000000000000000000000000000000000000000000000\n     machining |\n",
+    };
+    const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
+    process process;
+    file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
+    run_well(&process, folder.text, (const char *const[]){"my.csv", "--joints", "0", "--accuracy", "1,1,1,-,-,-",
+                                                          "--budget", NULL});
+    for (size_t i = 0; i < sizeof says / sizeof says[0]; i++) {
+        check_says(&process, says[i]);
+    }
+}
+
 /* ---- weights ---- */
 
 /* A class is the parameters in it: the Puma's motors all turn, in theta. */
@@ -473,6 +501,7 @@ int main(void)
     RUN_TEST(test_metres_are_a_thousand_millimetres);
     RUN_TEST(test_the_tool_is_shown_in_metres);
     RUN_TEST(test_the_tables_are_the_json_in_short);
+    RUN_TEST(test_the_budget_of_one_link);
     RUN_TEST(test_a_class_of_weights_is_its_parameters);
     RUN_TEST(test_weights_may_be_a_table);
     RUN_TEST(test_the_method_is_said);

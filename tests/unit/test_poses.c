@@ -170,6 +170,23 @@ static void test_blocks_have_the_bits_of_single_poses(void)
     }
 }
 
+/* Angles beyond 1e6 are libm's; those of other poses beside them are not. */
+static void test_a_far_angle_leaves_its_neighbours_alone(void)
+{
+    static const armtol_tool_point tool = {{30, -20, 70}, ARMTOL_BASE_FRAME};
+    for (uint64_t seed = 0; seed < 12; seed++) {
+        armtol_poses poses;
+        start(&poses, random_arm(seed, 7), &tool);
+        for (size_t i = 0; i < MOST_POSES * poses.n_joints; i++) {
+            q[i] *= 1000;
+        }
+        for (size_t p = seed % 4; p < MOST_POSES; p += 4) {
+            q[p * poses.n_joints + seed % poses.n_joints] = 1e7 + (double)p;
+        }
+        check_blocks(&poses, MOST_POSES, blocks);
+    }
+}
+
 static void test_no_poses_are_no_work(void)
 {
     armtol_poses poses;
@@ -296,6 +313,7 @@ int main(void)
     RUN_TEST(test_every_row_can_set_the_bounds);
     RUN_TEST(test_a_pose_is_the_matrix_and_the_bounds_of_the_placed_links);
     RUN_TEST(test_blocks_have_the_bits_of_single_poses);
+    RUN_TEST(test_a_far_angle_leaves_its_neighbours_alone);
     RUN_TEST(test_no_poses_are_no_work);
     RUN_TEST(test_sines_and_cosines_are_within_a_unit_in_the_last_place);
     RUN_TEST(test_joint_values_of_any_size);
