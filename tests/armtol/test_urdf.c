@@ -633,6 +633,36 @@ static void test_what_is_no_tree(void)
     CHECK_ALL_WRONG(wrong);
 }
 
+enum { JOINTS = 11 };
+
+/* Names in some order, one of them twice; a line a joint. */
+static void check_second_name(int first, int second, int step)
+{
+    char text[2000] = "<robot name='r'>", message[100];
+    size_t length = strlen(text);
+    for (int i = 0; i < JOINTS; i++) {
+        const int name = (i == second ? first : i) * step % JOINTS;
+        length += (size_t)snprintf(text + length, sizeof text - length,
+                                   "<joint name='j%d' type='fixed'><parent link='a'/><child link='b'/></joint>\n",
+                                   name);
+    }
+    snprintf(text + length, sizeof text - length, "<link name='a'/></robot>\n");
+    snprintf(message, sizeof message, ":%d:%d: a second <joint> \"j%d\"; the first is in line %d", second + 1, 1,
+             first * step % JOINTS, first + 1);
+    check_wrong(&(wrong_file){text, NULL, NULL, message});
+}
+
+static void test_a_second_name_is_found_wherever_it_is(void)
+{
+    for (int second = 1; second < JOINTS; second++) {
+        for (int first = 0; first < second; first++) {
+            for (int step = 1; step < JOINTS; step++) {
+                check_second_name(first, second, step);
+            }
+        }
+    }
+}
+
 #define REFUSED "; an arm's joints are fixed, revolute, continuous or prismatic, each with a motor of its own"
 
 static void test_a_chain_that_is_not_there(void)
@@ -763,6 +793,7 @@ int main(void)
     RUN_TEST(test_what_is_no_urdf);
     RUN_TEST(test_what_is_missing_or_no_number);
     RUN_TEST(test_a_number_that_is_too_long);
+    RUN_TEST(test_a_second_name_is_found_wherever_it_is);
     RUN_TEST(test_what_is_no_tree);
     RUN_TEST(test_a_chain_that_is_not_there);
     RUN_TEST(test_a_stream_that_cannot_be_read);
