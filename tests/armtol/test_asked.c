@@ -72,13 +72,14 @@ static void test_metres_are_a_thousand_millimetres(void)
     TEST_ASSERT_TRUE(of_mm > 0 && fabs(of_m / of_mm - 1) < 1e-12);
 }
 
-/* The tool's point is shown in the unit of the lengths. */
+/* The tool's point is taken and shown in the unit of the lengths. */
 static void test_the_tool_is_shown_in_metres(void)
 {
     process mm, metres;
-    run_well(&mm, NULL, (const char *const[]){ASKED, "--json", NULL});
+    run_well(&mm, NULL, (const char *const[]){ASKED, "--tool-offset", "10,-20,103.4", "--json", NULL});
     run_well(&metres, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--metres", "--accuracy",
-                                                  ".0005,.0005,.0005,.01,.01,.01", "--json", NULL});
+                                                  ".0005,.0005,.0005,.01,.01,.01", "--tool-offset", ".01,-.02,.1034",
+                                                  "--json", NULL});
     double in_mm[3], in_m[3];
     TEST_ASSERT_EQUAL_INT(3, sscanf(strstr(mm.output.bytes, "\"tool\": ["), "\"tool\": [%lf, %lf, %lf]", &in_mm[0],
                                     &in_mm[1], &in_mm[2]));

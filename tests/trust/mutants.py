@@ -35,7 +35,7 @@ FOLDERS = ("src/lib", "src/program", "src/armtol")
 WANTED = 0.95
 TEST_SECONDS = 20
 SLOWER = 4 # where the machine is shared: no timeout before this many times what the unchanged tree takes
-UNTIMED = 60 # what is not timed: the tests under valgrind
+UNTIMED = 60 # what is not timed: what takes long and is for survivors only
 EXPLAINED = "tests/trust/survivors.tsv"
 
 # Tests that run many times as long as the others, or build the project once more.
@@ -184,7 +184,7 @@ class Tree:
         listed = json.loads(run("ctest", "--test-dir", str(self.build), "--show-only=json-v1").stdout)
         every = [t["name"] for t in listed["tests"]]
         self.tests = [name for name in every if not re.search(HEAVY, name)]
-        self.memchecks = [name for name in every if name.startswith("memcheck_")]
+        self.slow = [name for name in every if re.search(r"^(memcheck|fault)_", name)]
 
     def try_unchanged(self):
         """Times the tests; one that fails in the unchanged tree says nothing, and is returned."""
@@ -234,8 +234,12 @@ class Tree:
         folder = next(f for f in FOLDERS if name.startswith(f + "/"))
         first = [t for t in FIRST[folder] if t in self.tests and t not in own]
         rest = [t for t in self.tests if t not in own and t not in first]
-        watched = [t for t in self.memchecks if t[len("memcheck_"):] in own + first + ["test_armtol_memory", "programs"]]
-        return [step for step in (own, first, rest, watched) if step]
+        return [step for step in (own, first, rest) if step], self._slow_ones(own + first)
+
+    def _slow_ones(self, tests):
+        """For what is still there: the same under valgrind, and everything failing beneath the programs."""
+        watched = ["memcheck_" + test for test in tests + ["test_armtol_memory", "programs"]]
+        return [test for test in self.slow if test in watched or test.startswith("fault_")]
 
     def judge(self, mutant):
         """'killed', 'timeout', 'survived'; None for what is no mutant."""
@@ -245,13 +249,15 @@ class Tree:
         lines = original.splitlines(keepends=True)
         scratch = str(self.build / "mutant.o")
         self.compiler.remember(name, scratch)
+        known = key_of(self.root, mutant) in explained(self.root)
         lines[number - 1] = changed
         try:
             path.write_text("".join(lines))
             if not self.compiler.differs(name, scratch):
                 return None
             built = False
-            for place, step in enumerate(self.steps(name)):
+            steps, slow = self.steps(name)
+            for place, step in enumerate(steps):
                 executables = [t for t in step if t.startswith("test_")]
                 if place == 0 and len(executables) == len(step):
                     if not self._make(executables):
@@ -263,7 +269,13 @@ class Tree:
                 found = self._ctest(step)
                 if found != "passed":
                     return found
-            return "survived"
+            if known:
+                return "survived"
+            found = self._ctest(slow)
+            path.write_text(original)
+            if found == "passed" or not self._make([]) or self._ctest(slow) != "passed":
+                return "survived" # what fails in the unchanged tree too says nothing
+            return found
         finally:
             path.write_text(original)
 
