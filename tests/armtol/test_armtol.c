@@ -125,6 +125,30 @@ static void test_tolerances_read_back_give_the_accuracy_that_they_were_made_for(
     TEST_ASSERT_TRUE(fullest > 1 - 1e-9);
 }
 
+/* Eqs (4.33), (4.34): backlash + compliance x moment, 0.125 + 0.0625 x 2, against the motor's tolerance. */
+static void test_a_drive_is_good_enough_up_to_the_motor_s_tolerance(void)
+{
+    static const struct {
+        const char *theta, *verdict;
+    } cases[] = {{"0.2499", "NO"}, {"0.25", "yes"}, {"0.2501", "yes"}};
+    const string folder = folder_new();
+    file_write(string_of("%s/one.arm", folder.text).text,
+               "name: one\n"
+               "units: mm rad\n"
+               "kind, joint, a, alpha, d, theta, backlash, compliance, moment\n"
+               "npr, theta, 100, 0, 0, 0, 0.125, 0.0625, 2\n");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const string table =
+            string_of("link,parameter,tolerance\n0,theta,%s\n0,d,1\n0,a,1\n0,alpha,1\n", cases[i].theta);
+        process process;
+        file_write(string_of("%s/t.csv", folder.text).text, table.text);
+        run_well(&process, folder.text,
+                 (const char *const[]){"one.arm", "--joints", "0", "--tolerances", "t.csv", NULL});
+        check_says(&process, "its drive  good enough\n");
+        check_says(&process, string_of("%s   rad       0.25  %11s\n", cases[i].theta, cases[i].verdict).text);
+    }
+}
+
 static void test_a_free_component_is_free(void)
 {
     process process;
@@ -270,6 +294,7 @@ int main(void)
     RUN_TEST(test_an_arm_that_is_shown_can_be_read_and_is_the_same);
     RUN_TEST(test_the_arm_may_stand_anywhere_among_the_options);
     RUN_TEST(test_tolerances_read_back_give_the_accuracy_that_they_were_made_for);
+    RUN_TEST(test_a_drive_is_good_enough_up_to_the_motor_s_tolerance);
     RUN_TEST(test_a_free_component_is_free);
     RUN_TEST(test_the_budget_adds_up);
     RUN_TEST(test_a_verification_depends_on_its_seed_and_not_on_the_threads);

@@ -638,7 +638,7 @@ enum { JOINTS = 11 };
 /* Names in some order, one of them twice; a line a joint. */
 static void check_second_name(int first, int second, int step)
 {
-    char text[2000] = "<robot name='r'>", message[100];
+    char text[2000] = "<robot name='r'>", complaint[100];
     size_t length = strlen(text);
     for (int i = 0; i < JOINTS; i++) {
         const int name = (i == second ? first : i) * step % JOINTS;
@@ -647,9 +647,9 @@ static void check_second_name(int first, int second, int step)
                                    name);
     }
     snprintf(text + length, sizeof text - length, "<link name='a'/></robot>\n");
-    snprintf(message, sizeof message, ":%d:%d: a second <joint> \"j%d\"; the first is in line %d", second + 1, 1,
+    snprintf(complaint, sizeof complaint, ":%d:%d: a second <joint> \"j%d\"; the first is in line %d", second + 1, 1,
              first * step % JOINTS, first + 1);
-    check_wrong(&(wrong_file){text, NULL, NULL, message});
+    check_wrong(&(wrong_file){text, NULL, NULL, complaint});
 }
 
 static void test_a_second_name_is_found_wherever_it_is(void)
