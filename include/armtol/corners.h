@@ -15,12 +15,12 @@ ARMTOL_INTERFACE_BEGIN
  */
 
 /*
- * |row| tolerances: the largest that the row's component of the error gets to first order. A parameter whose
- * element is 0 adds nothing, however large its tolerance.
+ * |row| tolerances: the largest that the row's component of the error gets to first order. An infinite tolerance
+ * makes it infinite where its element counts (allocation.h), and adds nothing where it does not.
  */
 double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[]);
 
-/* The root of the sum of the squares of row x tolerances. */
+/* The root of the sum of the squares of row x tolerances, infinite ones as above. */
 double armtol_rss_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[]);
 
 /*

@@ -112,6 +112,7 @@ static int find_tolerances(const request *request, answer *answer)
 
 /* ---- what follows from them ---- */
 
+/* What sees a parameter without a bound has none either; elsewhere such a parameter counts as exact. */
 static void predict_component(const posed_arm *posed, const double tolerances[], size_t pose, size_t i,
                               double remainder, predicted *component)
 {
@@ -123,7 +124,7 @@ static void predict_component(const posed_arm *posed, const double tolerances[],
     }
     component->worst = fmax(component->worst, worst);
     component->deviation = fmax(component->deviation, deviation);
-    component->remainder = fmax(component->remainder, remainder);
+    component->remainder = fmax(component->remainder, isinf(worst) ? worst : remainder);
 }
 
 static void predict(const posed_arm *posed, answer *answer)
@@ -132,7 +133,7 @@ static void predict(const posed_arm *posed, answer *answer)
         double remainder[6];
         armtol_remainder(posed_arm_matrix(posed, pose), posed->n_columns, answer->bounded, remainder);
         for (size_t i = 0; i < 6; i++) {
-            predict_component(posed, answer->bounded, pose, i, remainder[i], &answer->components[i]);
+            predict_component(posed, answer->tolerances, pose, i, remainder[i], &answer->components[i]);
         }
     }
 }

@@ -13,7 +13,7 @@ typedef struct part {
     double drive;    /* how far the drive of the joint is off: backlash and compliance, Eqs (4.33), (4.34) */
 } part;
 
-/* One component of the tool's error, the largest of all poses. Magnitudes. */
+/* One component of the tool's error, the largest of all poses. Magnitudes; infinite where nothing bounds them. */
 typedef struct predicted {
     double worst;     /* sum over |A| t */
     double deviation; /* the standard deviation, every error being even within its tolerance */
@@ -24,7 +24,7 @@ typedef struct predicted {
 
 typedef struct answer {
     double *tolerances; /* n_columns, infinity for a parameter that no bounded component sees */
-    double *bounded;    /* the same with 0 for infinity: what is drawn and summed up */
+    double *bounded;    /* the same with 0 for infinity */
     part *parts;        /* n_links */
     predicted components[6];
     armtol_bounds bounds; /* method sphere only, as is delta */

@@ -151,6 +151,7 @@ static bool name_after_file(arm_reader *reader)
     if (dot != NULL && dot != name) {
         *dot = '\0';
     }
+    text_make_printable(name);
     reader->head.texts[TEXT_NAME] = name;
     return true;
 }

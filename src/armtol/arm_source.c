@@ -30,8 +30,14 @@ static int first_character(FILE *stream)
     return c;
 }
 
-/* Up to the end of the pipe, which may have none: no arm is that large. False, with errno, where that fails. */
-static bool copy_all(FILE *pipe, FILE *copy)
+static int cannot_copy(const char *path)
+{
+    message("%s: cannot be copied: %s", path, strerror(errno));
+    return EXIT_FAILED;
+}
+
+/* Up to the end of the pipe, which may have none: no arm is that large. An exit code, after a message. */
+static int copy_all(FILE *pipe, const char *path, FILE *copy)
 {
     enum { MOST = 1 << 24 };
     char block[4096];
@@ -39,30 +45,14 @@ static bool copy_all(FILE *pipe, FILE *copy)
     while ((n = fread(block, 1, sizeof block, pipe)) > 0) {
         length += n;
         if (length > MOST) {
-            errno = EFBIG;
-            return false;
+            message("%s: is too long; expected an arm of at most %d bytes through a pipe", path, MOST);
+            return EXIT_WRONG;
         }
         if (fwrite(block, 1, n, copy) < n) {
-            return false;
+            return cannot_copy(path);
         }
     }
-    return !ferror(pipe) && fflush(copy) == 0;
-}
-
-/* What is kept of a pipe, which cannot be wound back, so that it can; NULL, with errno, where that fails. */
-static FILE *copy_of(FILE *pipe)
-{
-    FILE *copy = tmpfile();
-    if (copy != NULL && !copy_all(pipe, copy)) {
-        const int why = errno;
-        fclose(copy);
-        errno = why;
-        return NULL;
-    }
-    if (copy != NULL) {
-        rewind(copy);
-    }
-    return copy;
+    return ferror(pipe) || fflush(copy) != 0 ? cannot_copy(path) : EXIT_OK;
 }
 
 static bool read_file(FILE *stream, const cli_options *options, arm_model *model)
@@ -85,7 +75,8 @@ static bool check_angle(const char *path, const arm_model *model, size_t i, arm_
     const double radians = *arm_column_number(column, &link, &drive);
     const bool fine = !isfinite(radians) || fabs(radians) <= LARGEST_ANGLE;
     if (!fine) {
-        message("%s: link %zu: %s: %g rad is too large an angle", path, i, arm_column_name(column), radians);
+        message("%s: link %zu: %s: %g rad is too large; expected at most %g", path, i, arm_column_name(column), radians,
+                LARGEST_ANGLE);
     }
     return fine;
 }
@@ -113,6 +104,22 @@ static int read_and_close(FILE *stream, const cli_options *options, arm_model *m
     return fine ? EXIT_OK : EXIT_WRONG;
 }
 
+/* By way of a copy, since a pipe cannot be wound back. */
+static int read_pipe(FILE *pipe, const cli_options *options, arm_model *model)
+{
+    FILE *copy = tmpfile();
+    if (copy == NULL) {
+        return cannot_copy(options->arm);
+    }
+    const int code = copy_all(pipe, options->arm, copy);
+    if (code != EXIT_OK) {
+        fclose(copy);
+        return code;
+    }
+    rewind(copy);
+    return read_and_close(copy, options, model);
+}
+
 static int open_and_read(const cli_options *options, arm_model *model)
 {
     FILE *stream = fopen(options->arm, "rb");
@@ -126,13 +133,9 @@ static int open_and_read(const cli_options *options, arm_model *model)
     if (fseek(stream, 0, SEEK_SET) == 0) {
         return read_and_close(stream, options, model);
     }
-    FILE *copy = copy_of(stream);
+    const int code = read_pipe(stream, options, model);
     fclose(stream);
-    if (copy == NULL) {
-        message("%s: cannot be copied: %s", options->arm, strerror(errno));
-        return EXIT_FAILED;
-    }
-    return read_and_close(copy, options, model);
+    return code;
 }
 
 int arm_source_read(const cli_options *options, arm_model *model)

@@ -11,6 +11,7 @@
 #include "request.h"
 #include "rounding.h"
 
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -22,6 +23,20 @@ static size_t threads_of(const cli_options *options)
     return options->threads != 0 ? options->threads : processors > 0 ? (size_t)processors : 1;
 }
 
+/* No share of arms that are within is known of what has no bound. */
+static bool check_bounded(const request *request, const answer *answer)
+{
+    for (size_t i = 0; i < 6 && request->wished; i++) {
+        if (isfinite(request->accuracy[i]) && isinf(answer->components[i].worst)) {
+            message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends on, "
+                    "or - in its place in --accuracy",
+                    component_names[i], component_names[i]);
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool verify(const request *request, const answer *answer, verification *found)
 {
     const posed_arm *posed = &request->posed;
@@ -30,7 +45,7 @@ static bool verify(const request *request, const answer *answer, verification *f
         .n_poses = posed->n_poses,
         .n_links = posed->n_links,
         .matrices = posed->matrices,
-        .tolerances = answer->bounded,
+        .tolerances = answer->tolerances,
         .n_columns = posed->n_columns,
         .tool = posed->tool,
         .accuracy = request->wished ? request->accuracy : NULL,
@@ -59,6 +74,9 @@ static int tell(const request *request, const answer *answer)
     verification found;
     findings findings = {request, answer, NULL, NULL};
     if (request->options->verify != 0) {
+        if (!check_bounded(request, answer)) {
+            return EXIT_WRONG;
+        }
         if (!verify(request, answer, &found)) {
             return EXIT_FAILED;
         }

@@ -27,16 +27,21 @@ static double contribution(const request *request, const answer *answer, size_t 
     return request->options->method == METHOD_RSS ? error * error : error;
 }
 
+static double share_of(double part, double total)
+{
+    return isinf(total) ? (double)NAN : total > 0 ? part / total : 0;
+}
+
 static void add_component(budget *budget, const request *request, const answer *answer, size_t i)
 {
     const posed_arm *posed = &request->posed;
-    double total = 0;
+    double total = isinf(answer->components[i].worst) ? (double)INFINITY : 0;
     for (size_t k = 0; k < posed->n_columns; k++) {
         total += contribution(request, answer, k, i);
     }
     for (size_t k = 0; k < posed->n_columns; k++) {
         const bool motor = posed_arm_is_motor(posed, k);
-        const double share = total > 0 ? contribution(request, answer, k, i) / total : 0;
+        const double share = share_of(contribution(request, answer, k, i), total);
         row_of(budget, posed->columns[k].link, motor)->shares[i] += share;
         budget->motors[i] += motor ? share : 0;
     }

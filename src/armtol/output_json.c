@@ -153,7 +153,11 @@ static void write_verified(json *json, const findings *findings, size_t i)
     json_number(json, "remainder", findings_shown(findings, i, component->remainder));
     json_numbers(json, "quantiles", quantiles, VERIFICATION_QUANTILES);
     json_number(json, "worst_drawn", findings_shown(findings, i, component->worst_drawn));
-    json_count(json, "worst_arm", component->worst_arm);
+    if (isnan(component->worst_drawn)) {
+        json_number(json, "worst_arm", (double)NAN);
+    } else {
+        json_count(json, "worst_arm", component->worst_arm);
+    }
     json_number(json, "worst_corner", findings_shown(findings, i, component->worst_corner));
     json_close_object(json);
 }

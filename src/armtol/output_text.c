@@ -64,15 +64,17 @@ static void print_method(const findings *findings)
     }
 }
 
-/* Parameters that no wish depends on. */
-static void print_unseen(const findings *findings)
+/* Parameters that no wish depends on, or that are given without a bound. */
+static void print_unbounded(const findings *findings)
 {
+    const char *what = findings->request->tolerances != NULL ? "Without a bound:"
+                                                             : "Not seen here, and so without a bound:";
     const posed_arm *posed = &findings->request->posed;
     bool any = false;
     for (size_t k = 0; k < posed->n_columns; k++) {
         if (isinf(findings->answer->tolerances[k])) {
             const parameter_row row = findings_parameter(findings, k);
-            printf("%s %s of link %zu", any ? "," : "\nNot seen here, and so without a bound:", row.parameter, row.link);
+            printf("%s%s %s of link %zu", any ? "" : "\n", any ? "," : what, row.parameter, row.link);
             any = true;
         }
     }
@@ -92,7 +94,7 @@ bool output_text(const findings *findings)
 {
     print_heading(findings);
     const bool fine = text_parameters(findings);
-    print_unseen(findings);
+    print_unbounded(findings);
     return fine && text_parts(findings) && text_components(findings) &&
            (findings->budget == NULL || text_budget(findings)) &&
            (findings->verification == NULL || text_verification(findings));

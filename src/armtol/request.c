@@ -32,11 +32,16 @@ static const char *joint_text(const units *units, const armtol_link *link, doubl
     return number_shortest(units_shown(units, link->joint == ARMTOL_PRISMATIC, value), &armtol_errata_none, text);
 }
 
+static double size_of_end(double end)
+{
+    return isinf(end) ? 0 : fabs(end);
+}
+
 static bool check_limits(const units *units, const armtol_arm *arm, size_t link, size_t joint, size_t pose, double q)
 {
     const armtol_drive *drive = &arm->drives[link];
-    const double slack = 1e-9 * fmax(fabs(drive->low), fabs(drive->high)); /* limits are rounded too */
-    if (!(isinf(slack)) && (q < drive->low - slack || q > drive->high + slack)) {
+    const double slack = 1e-9 * fmax(size_of_end(drive->low), size_of_end(drive->high)); /* limits are rounded too */
+    if (q < drive->low - slack || q > drive->high + slack) {
         message("pose %zu, joint %zu: %s is beyond its limits; expected %s to %s %s", pose + 1, joint + 1,
                 joint_text(units, &arm->links[link], q, &(number_text){""}),
                 joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
@@ -147,13 +152,14 @@ static bool take_accuracy(request *request)
         return false;
     }
     for (int i = 0; i < 6; i++) {
-        if (!(request->accuracy[i] > 0)) {
-            message("--accuracy: component %d is not greater than zero; expected six values > 0, or - for free ones",
-                    i + 1);
+        const double wish = request->accuracy[i], taken = units_taken(&request->units, i < 3, wish);
+        if (!(wish > 0) || (isinf(taken) && !isinf(wish))) {
+            message("--accuracy: component %d is %s; expected six values > 0, or - for free ones", i + 1,
+                    wish > 0 ? "too large" : "not greater than zero");
             return false;
         }
-        bounded = bounded || isfinite(request->accuracy[i]);
-        request->accuracy[i] = units_taken(&request->units, i < 3, request->accuracy[i]);
+        bounded = bounded || isfinite(wish);
+        request->accuracy[i] = taken;
     }
     if (!bounded) {
         message("--accuracy: all components are free; expected at least one number");
@@ -173,13 +179,21 @@ static bool take_delta(request *request)
     return fine;
 }
 
-static bool take_weights(request *request)
+/* From the user's units to inside ones. */
+static bool take_tolerances(request *request, const char *path)
 {
     const posed_arm *posed = &request->posed;
     for (size_t k = 0; k < posed->n_columns; k++) {
-        request->weights[k] = 1;
+        const armtol_column *column = &posed->columns[k];
+        const double given = request->tolerances[k];
+        request->tolerances[k] = units_taken(&request->units, armtol_parameter_is_length(column->parameter), given);
+        if (isinf(request->tolerances[k]) && !isinf(given)) {
+            message("--tolerances: %s: %s of link %zu: the tolerance is too large", path,
+                    armtol_parameter_name(column->parameter), column->link);
+            return false;
+        }
     }
-    return request->options->weights == NULL || weights_parse(request->options->weights, posed, request->weights);
+    return true;
 }
 
 static bool read_tolerances(request *request)
@@ -201,11 +215,7 @@ static bool read_tolerances(request *request)
     }
     const bool fine = parameters_read(stream, path, &table, true, request->tolerances);
     fclose(stream);
-    for (size_t k = 0; k < posed->n_columns && fine; k++) {
-        const bool is_length = armtol_parameter_is_length(posed->columns[k].parameter);
-        request->tolerances[k] = units_taken(&request->units, is_length, request->tolerances[k]);
-    }
-    return fine;
+    return fine && take_tolerances(request, path);
 }
 
 static int take_values(request *request)
@@ -218,7 +228,7 @@ static int take_values(request *request)
         out_of_memory();
         return EXIT_FAILED;
     }
-    const bool fine = take_accuracy(request) && take_delta(request) && take_weights(request) &&
+    const bool fine = take_accuracy(request) && take_delta(request) && weights_parse(request->options->weights, &request->posed, request->weights) &&
                       (!given || read_tolerances(request));
     return fine ? EXIT_OK : EXIT_WRONG;
 }

@@ -1,10 +1,20 @@
 #include "table.h"
 #include "text_tables.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
 enum { BAR = 60 };
+
+static void set_share(table_row *row, size_t i, double share)
+{
+    if (isnan(share)) {
+        table_set(row, i + 1, "-");
+    } else {
+        table_set(row, i + 1, "%.1f", 100 * share);
+    }
+}
 
 static bool print_table(const budget *budget)
 {
@@ -21,12 +31,12 @@ static bool print_table(const budget *budget)
         table_row *row = table_add(&table, label);
         fine = row != NULL;
         for (size_t i = 0; i < 6 && fine; i++) {
-            table_set(row, i + 1, "%.1f", 100 * budget->rows[r].shares[i]);
+            set_share(row, i, budget->rows[r].shares[i]);
         }
     }
     table_row *row = fine ? table_add(&table, "all motors") : NULL;
     for (size_t i = 0; i < 6 && row != NULL; i++) {
-        table_set(row, i + 1, "%.1f", 100 * budget->motors[i]);
+        set_share(row, i, budget->motors[i]);
     }
     if (row != NULL) {
         table_print_title("Where the error comes from, % of each component", NULL, FORMAT_TEXT, stdout);
@@ -72,7 +82,11 @@ bool text_budget(const findings *findings)
     }
     printf("\nThe same as bars of link numbers, a whole component being %d long\n\n", BAR);
     for (size_t i = 0; i < 6; i++) {
-        print_bar(findings->budget, i);
+        if (isnan(findings->budget->motors[i])) {
+            printf("  %s without a bound\n", component_names[i]);
+        } else {
+            print_bar(findings->budget, i);
+        }
     }
     return true;
 }

@@ -121,6 +121,18 @@ static bool is_control(const unsigned char *c)
     return (c[0] < ' ' && c[0] != '\t') || c[0] == 127 || (c[0] == 0xc2 && c[1] < 0xa0);
 }
 
+void text_make_printable(char *text)
+{
+    for (unsigned char *c = (unsigned char *)text; *c != '\0';) {
+        const size_t length = character_length(c);
+        if (length == 0 || *c == '\t' || is_control(c)) {
+            *c++ = '?';
+        } else {
+            c += length;
+        }
+    }
+}
+
 /* What is wrong with the character that begins here, of that length; NULL where nothing is. */
 static const char *fault_of(const unsigned char *c, size_t length)
 {

@@ -34,6 +34,9 @@ void text_lines_free(text_lines *lines);
 /* The next line, which takes the place of the one before. */
 line_result text_lines_next(text_lines *lines);
 
+/* What a line may not have becomes question marks, and so do tabs: for a name of a file. */
+void text_make_printable(char *text);
+
 /* How many characters the UTF-8 text has up to `end`. */
 size_t text_characters(const char *text, const char *end);
 

@@ -6,6 +6,8 @@
 #include "verification_draw.h"
 #include "verification_tally.h"
 
+#include "armtol/corners.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -64,6 +66,36 @@ static bool draw_and_report(const verification_task *task, verification *result)
     return fine;
 }
 
+static bool is_unbounded(const verification_task *task, size_t component)
+{
+    for (size_t pose = 0; pose < task->n_poses; pose++) {
+        const double *matrix = task->matrices + pose * 6 * task->n_columns;
+        if (isinf(armtol_worst_error(matrix, task->n_columns, component, task->tolerances))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* What was drawn without the parameters that it depends on says nothing. */
+static void forget_unbounded(const verification_task *task, verified_component components[6])
+{
+    for (size_t i = 0; i < 6; i++) {
+        if (is_unbounded(task, i)) {
+            components[i] = (verified_component){
+                .prediction = (double)INFINITY,
+                .rss = (double)INFINITY,
+                .remainder = (double)INFINITY,
+                .worst_drawn = (double)NAN,
+                .worst_corner = (double)NAN,
+            };
+            for (size_t n = 0; n < VERIFICATION_QUANTILES; n++) {
+                components[i].quantiles[n] = (double)NAN;
+            }
+        }
+    }
+}
+
 /* The tolerances without those that are infinite; NULL, after a message, where memory is short. */
 static double *bounded(const verification_task *task)
 {
@@ -88,5 +120,8 @@ bool verification_run(const verification_task *task, verification *result)
     finite.tolerances = tolerances;
     const bool fine = verification_corners(&finite, result->components) && draw_and_report(&finite, result);
     free(tolerances);
+    if (fine) {
+        forget_unbounded(task, result->components);
+    }
     return fine;
 }

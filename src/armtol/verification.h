@@ -11,9 +11,9 @@
 
 /*
  * What is drawn and held against what. Poses are placed links, one after the other; an arm is the same in all
- * of them. Errors are uniform within the tolerances. An infinite tolerance is that of a parameter that no row
- * which counts can see: it is not drawn, and counts as 0 in all that is reported. Whoever has rows of A that
- * see it has to give a finite one.
+ * of them. Errors are uniform within the tolerances. A parameter with an infinite tolerance is not drawn, and
+ * is exact for the components that do not depend on it (corners.h); of one that does there is nothing to say,
+ * and it must not be one that accuracy counts.
  */
 typedef struct verification_task {
     const armtol_link *poses; /* n_poses x n_links */
@@ -35,7 +35,8 @@ extern const double verification_quantiles[VERIFICATION_QUANTILES]; /* 0.5, 0.9,
 /*
  * One component of the tool's error, magnitudes, the largest of all poses. A quantile is what that share of
  * the arms does not exceed, rounded up by no more than 1/4096 of prediction + remainder (of half a turn,
- * where that is less), and never above worst_drawn.
+ * where that is less), and never above worst_drawn. Of a component that depends on a parameter with an infinite
+ * tolerance the predictions and the remainder are infinity and what was drawn and found nan.
  */
 typedef struct verified_component {
     double prediction; /* |A| t */

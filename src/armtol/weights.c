@@ -157,5 +157,8 @@ bool weights_parse(const char *text, const posed_arm *posed, double weights[])
     for (size_t k = 0; k < posed->n_columns; k++) {
         weights[k] = 1;
     }
+    if (text == NULL) {
+        return true;
+    }
     return strchr(text, '=') != NULL ? take_list(text, posed, weights) : take_table(text, posed, weights);
 }

@@ -1,31 +1,21 @@
 #include "allocation_rows.h"
 
-#include <math.h>
+#include "row_rounding.h"
 
-/* Elements up to this part of the largest of their row are what rounding left of 0. */
-static const double rounding = 1e-12;
+#include <math.h>
 
 bool allocation_in_range(double value)
 {
     return value >= 1e-280 && value <= 1e280;
 }
 
-static double largest_of(const double row[], size_t n)
-{
-    double largest = 0;
-    for (size_t k = 0; k < n; k++) {
-        largest = fmax(largest, fabs(row[k]));
-    }
-    return largest;
-}
-
 /* Note which columns the row bounds, and raise the most that a column takes of a limit. */
 static void note_row(const double row[], size_t n, double limit, double bounded[], double most[])
 {
-    const double least = rounding * largest_of(row, n);
+    const double rounding = row_rounding(row, n);
     const double inverse = 1 / limit;
     for (size_t k = 0; k < n; k++) {
-        bounded[k] = fabs(row[k]) > least ? 1 : bounded[k];
+        bounded[k] = fabs(row[k]) > rounding ? 1 : bounded[k];
         most[k] = fmax(most[k], fabs(row[k]) * inverse);
     }
 }

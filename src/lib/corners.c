@@ -1,15 +1,25 @@
 #include "armtol/corners.h"
 
+#include "row_rounding.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
+/* What a parameter moves the component by at the most. */
+static double most_of(double element, double rounding, double tolerance)
+{
+    const bool moves = fabs(element) > rounding || isfinite(tolerance);
+    return moves ? fabs(element) * tolerance : 0;
+}
+
 double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[])
 {
     const double *elements = matrix + row * n_columns;
+    const double rounding = row_rounding(elements, n_columns);
     double sum = 0;
     for (size_t k = 0; k < n_columns; k++) {
-        sum += elements[k] != 0 ? fabs(elements[k]) * tolerances[k] : 0;
+        sum += most_of(elements[k], rounding, tolerances[k]);
     }
     return sum;
 }
@@ -17,9 +27,10 @@ double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, c
 double armtol_rss_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[])
 {
     const double *elements = matrix + row * n_columns;
+    const double rounding = row_rounding(elements, n_columns);
     double sum = 0;
     for (size_t k = 0; k < n_columns; k++) {
-        const double part = elements[k] != 0 ? elements[k] * tolerances[k] : 0;
+        const double part = most_of(elements[k], rounding, tolerances[k]);
         sum += part * part;
     }
     return sqrt(sum);
@@ -29,11 +40,7 @@ void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign
                    double parameter_errors[])
 {
     const double *elements = matrix + row * n_columns;
-    double largest = 0;
-    for (size_t k = 0; k < n_columns; k++) {
-        largest = fmax(largest, fabs(elements[k]));
-    }
-    const double rounding = 1e-12 * largest;
+    const double rounding = row_rounding(elements, n_columns);
     for (size_t k = 0; k < n_columns; k++) {
         parameter_errors[k] = fabs(elements[k]) > rounding ? sign * copysign(tolerances[k], elements[k]) : 0;
     }

@@ -104,11 +104,14 @@ bool published_read(const char *path, published_list *list)
     *list = (published_list){NULL, 0};
     FILE *stream = fopen(path, "r");
     if (stream == NULL) {
+        exit_code_note_error(errno);
         message("%s: %s", path, strerror(errno));
         return false;
     }
+    errno = 0;
     bool fine = read_all(stream, path, list);
     if (fine && ferror(stream)) {
+        exit_code_note_error(errno);
         message("%s: cannot be read", path);
         fine = false;
     } else if (fine && list->count == 0) {

@@ -9,6 +9,7 @@
 #include "run_case.h"
 
 #include <getopt.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -250,6 +251,7 @@ int main(int argc, char *argv[])
     published_list list;
     rounding_to_double();
     message_start("reproduce");
+    signal(SIGCHLD, SIG_DFL); /* whoever starts it may ignore it: children are then not to be waited for */
     if (!parse(argc, argv, &arguments)) {
         return usage();
     }

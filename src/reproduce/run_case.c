@@ -19,7 +19,11 @@ extern char **environ;
 
 static bool complain(const char *path)
 {
-    message("%s: %s", path, strerror(errno));
+    if (errno == ENOMEM) {
+        out_of_memory();
+    } else {
+        message("%s: %s", path, strerror(errno));
+    }
     return false;
 }
 
@@ -90,17 +94,33 @@ static bool write_input(const char *path, const published_list *list, size_t fir
     return fclose(stream) == 0 || complain(path);
 }
 
-/* Run argv with its input and its standard error in files. Its exit status, or -1 with errno. */
-static int spawn(char *const argv[], const char *input, const char *dialogue)
+static int open_files(posix_spawn_file_actions_t *actions, const char *input, const char *dialogue)
+{
+    const int failure = posix_spawn_file_actions_addopen(actions, 0, input, O_RDONLY, 0);
+    return failure != 0
+               ? failure
+               : posix_spawn_file_actions_addopen(actions, 2, dialogue, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+}
+
+/* Start argv with its input and its standard error in files. 0, or what errno would be. */
+static int start(pid_t *child, char *const argv[], const char *input, const char *dialogue)
 {
     posix_spawn_file_actions_t actions;
+    int failure = posix_spawn_file_actions_init(&actions);
+    if (failure == 0) {
+        failure = open_files(&actions, input, dialogue);
+        failure = failure != 0 ? failure : posix_spawn(child, argv[0], &actions, NULL, argv, environ);
+        posix_spawn_file_actions_destroy(&actions);
+    }
+    return failure;
+}
+
+/* Run argv to its end. Its exit status, or -1 with errno. */
+static int spawn(char *const argv[], const char *input, const char *dialogue)
+{
     pid_t child;
     int status = 0;
-    posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, 0, input, O_RDONLY, 0);
-    posix_spawn_file_actions_addopen(&actions, 2, dialogue, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    const int failure = posix_spawn(&child, argv[0], &actions, NULL, argv, environ);
-    posix_spawn_file_actions_destroy(&actions);
+    const int failure = start(&child, argv, input, dialogue);
     if (failure != 0) {
         errno = failure;
         return -1;
@@ -192,7 +212,7 @@ bool run_case(const run_settings *settings, const published_list *list, size_t f
 }
 
 /* Append what the stream has to the text, NULL at first, which grows and may move. */
-static bool append_stream(char **text, size_t *length, FILE *stream)
+static bool append_stream(char **text, size_t *length, FILE *stream, const char *path)
 {
     enum { CHUNK = 4096 };
     for (size_t got = 1; got > 0; *length += got) {
@@ -205,7 +225,7 @@ static bool append_stream(char **text, size_t *length, FILE *stream)
         got = fread(grown + *length, 1, CHUNK, stream);
     }
     (*text)[*length] = '\0';
-    return !ferror(stream);
+    return !ferror(stream) || complain(path);
 }
 
 static bool append_file(char **text, size_t *length, const char *path)
@@ -214,7 +234,7 @@ static bool append_file(char **text, size_t *length, const char *path)
     if (stream == NULL) {
         return complain(path);
     }
-    const bool fine = append_stream(text, length, stream);
+    const bool fine = append_stream(text, length, stream, path);
     fclose(stream);
     return fine;
 }

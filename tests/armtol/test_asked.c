@@ -183,21 +183,21 @@ static void test_the_tables_are_the_json_in_short(void)
 }
 
 /*
- * A link of 100 mm along x, about to turn about z: its motor moves y and turns about z, its length moves x, and nothing
- * moves the rest.
+ * A link of 100 mm along x, about to turn about z: its motor moves y and turns about z, its length moves x, its alpha
+ * and beta, which no wish bounds, turn about x and y, and nothing moves z.
  */
 static void test_the_budget_of_one_link(void)
 {
     static const char *const says[] = {
         "  link            dx     dy   dz   wx   wy     wz\n",
-        "  0 machining  100.0    0.0  0.0  0.0  0.0    0.0\n",
-        "  0 motor        0.0  100.0  0.0  0.0  0.0  100.0\n",
-        "  all motors     0.0  100.0  0.0  0.0  0.0  100.0\n",
+        "  0 machining  100.0    0.0  0.0    -    -    0.0\n",
+        "  0 motor        0.0  100.0  0.0    -    -  100.0\n",
+        "  all motors     0.0  100.0  0.0    -    -  100.0\n",
         "a whole component being 60 long\n",
         "  dx motors    |\n     machining |000000000000000000000000000000000000000000000000000000000000\n",
         "  dy motors    |000000000000000000000000000000000000000000000000000000000000\n     machining |\n",
         "  dz motors    |\n     machining |\n",
-        "  wy motors    |\n     machining |\n",
+        "  wx without a bound\n  wy without a bound\n",
         "  wz motors    |000000000000000000000000000000000000000000000000000000000000\n     machining |\n",
     };
     const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
@@ -207,6 +207,99 @@ static void test_the_budget_of_one_link(void)
                                                           "--budget", NULL});
     for (size_t i = 0; i < sizeof says / sizeof says[0]; i++) {
         check_says(&process, says[i]);
+    }
+}
+
+/* ---- tolerances without a bound ---- */
+
+/* The link of the budget. Its alpha turns about x, and moves nothing where the tool point is on that line. */
+#define ALONG_X "units: mm rad\njoint,kind,a,alpha,d,theta\ntheta,npr,100,0,0,0\n"
+#define ALPHA_FREE "link,parameter,tolerance\n0,theta,.001\n0,d,.1\n0,a,.1\n0,alpha,inf\n"
+
+static string with_alpha_free(void)
+{
+    const string folder = folder_new();
+    file_write(string_of("%s/my.csv", folder.text).text, ALONG_X);
+    file_write(string_of("%s/t.csv", folder.text).text, ALPHA_FREE);
+    return folder;
+}
+
+#define GIVEN "my.csv", "--joints", "0", "--tolerances", "t.csv"
+
+static void test_what_depends_on_it_has_no_bound_either(void)
+{
+    const string folder = with_alpha_free();
+    process process;
+    run_well(&process, folder.text, (const char *const[]){GIVEN, "--verify", "1000", NULL});
+    check_says(&process, "\nWithout a bound: alpha of link 0\n");
+    check_says(&process, "\n  dz                -         0.1 "); /* d alone */
+    check_says(&process, "\n  wx                -         inf         inf          inf   rad\n");
+    check_says(&process, "\n  wx, rad          -          -          -          -          -        -    inf        inf\n");
+    run_well(&process, folder.text, (const char *const[]){GIVEN, "--tool-offset", "0,10,0", NULL});
+    check_says(&process, "\n  dy                -         0.1 ");
+    check_says(&process, "\n  dz                -         inf         inf          inf    mm\n");
+}
+
+static void test_what_has_no_bound_is_null_in_json(void)
+{
+    const string folder = with_alpha_free();
+    process process;
+    run_well(&process, folder.text, (const char *const[]){GIVEN, "--verify", "1000", "--budget", "--json", NULL});
+    check_says(&process, "\"worst_case\": null,\n      \"standard_deviation\": null,\n      \"remainder\": null,\n");
+    check_says(&process, "\"shares\": [1, 0, 1, null, 0, 0]");
+    check_says(&process, "\"name\": \"wx\",\n        \"prediction\": null,\n        \"remainder\": null,\n"
+                         "        \"quantiles\": [null, null, null, null],\n        \"worst_drawn\": null,\n"
+                         "        \"worst_arm\": null,\n        \"worst_corner\": null\n");
+}
+
+static void test_a_wish_for_it_is_answered_but_not_verified(void)
+{
+    static const char message[] = "armtol: --verify: the tolerances leave wx without a bound; expected finite ones for all "
+                                  "that wx depends on, or - in its place in --accuracy\n";
+    const string folder = with_alpha_free();
+    process process;
+    run_well(&process, folder.text, (const char *const[]){GIVEN, "--accuracy", "1,1,1,.1,.1,.1", NULL});
+    check_says(&process, "\n  wx              0.1         inf ");
+    run(&process, folder.text,
+        (const char *const[]){GIVEN, "--accuracy", "1,1,1,.1,.1,.1", "--verify", "1000", NULL});
+    process_check_status(&process, 2, "a wish without a bound");
+    text_check(message, sizeof message - 1, &process.errors, "a wish without a bound");
+    text_check("", 0, &process.output, "a wish without a bound");
+    run_well(&process, folder.text,
+             (const char *const[]){GIVEN, "--accuracy", "1,1,1,-,.1,.1", "--verify", "1000", NULL});
+    check_says(&process, "1000 of 1000 arms are within the accuracy");
+}
+
+/* ---- limits of joints ---- */
+
+static void test_a_limit_may_stand_on_one_side(void)
+{
+    static const struct {
+        const char *low, *high, *value, *says; /* says NULL: it may be there */
+    } cases[] = {
+        {"0", "-", "-5", "-5 is beyond its limits; expected 0 to inf deg"},
+        {"0", "inf", "-1e-6", "-1e-06 is beyond its limits; expected 0 to inf deg"},
+        {"-inf", "90", "450", "450 is beyond its limits; expected -inf to 90 deg"},
+        {"-", "90", "90.000001", "90.000001 is beyond its limits; expected -inf to 90 deg"},
+        {"0", "-", "5000", NULL},
+        {"-", "90", "-5000", NULL},
+        {"0", "90", "-1e-9", NULL}, /* limits are rounded too */
+        {"-90", "0", "1e-9", NULL},
+        {"30", "-", "29.99999999", NULL},
+        {"-", "-", "1e9", NULL},
+    };
+    const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const string table = string_of("units: mm deg\njoint,a,alpha,d,theta,low,high\ntheta,100,0,0,0,%s,%s\n",
+                                       cases[i].low, cases[i].high);
+        process process;
+        file_write(file.text, table.text);
+        run(&process, folder.text,
+            (const char *const[]){"my.csv", "--joints", cases[i].value, "--accuracy", "1,1,1,1,1,1", NULL});
+        process_check_status(&process, cases[i].says == NULL ? 0 : 2, cases[i].value);
+        const string message =
+            string_of(cases[i].says == NULL ? "%s" : "armtol: pose 1, joint 1: %s\n", cases[i].says == NULL ? "" : cases[i].says);
+        text_check(message.text, strlen(message.text), &process.errors, cases[i].value);
     }
 }
 
@@ -336,8 +429,9 @@ static void test_an_arm_through_a_pipe_has_a_largest_size(void)
         process_send(&process, line, sizeof line);
     }
     process_finish(&process);
-    process_check_status(&process, 1, "17 MiB");
-    text_check("armtol: /dev/stdin: cannot be copied: File too large\n", 53, &process.errors, "17 MiB");
+    static const char message[] = "armtol: /dev/stdin: is too long; expected an arm of at most 16777216 bytes through a pipe\n";
+    process_check_status(&process, 2, "17 MiB");
+    text_check(message, sizeof message - 1, &process.errors, "17 MiB");
 }
 
 static void test_an_arm_through_a_pipe_needs_room(void)
@@ -363,8 +457,8 @@ static void test_an_arm_of_too_large_numbers_is_refused(void)
     static const char *const rows[][3] = {
         {"revolute,1e308,0,1e308,0", "0", "armtol: my in these poses: a value is not finite\n"},
         {"revolute,0,3e306,0,0", "1.7976931348623157e308", "armtol: my in these poses: a value is not finite\n"},
-        {"revolute,0,3.2e306,0,0", "0", "armtol: my.csv: link 0: theta: 3.2e+306 rad is too large an angle\n"},
-        {"prismatic,1e308,0,0,-3.2e306", "0", "armtol: my.csv: link 0: alpha: -3.2e+306 rad is too large an angle\n"},
+        {"revolute,0,3.2e306,0,0", "0", "armtol: my.csv: link 0: theta: 3.2e+306 rad is too large; expected at most 3.1e+306\n"},
+        {"prismatic,1e308,0,0,-3.2e306", "0", "armtol: my.csv: link 0: alpha: -3.2e+306 rad is too large; expected at most 3.1e+306\n"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
@@ -376,6 +470,50 @@ static void test_an_arm_of_too_large_numbers_is_refused(void)
         text_check(rows[i][2], strlen(rows[i][2]), &process.errors, rows[i][0]);
         text_check("", 0, &process.output, rows[i][0]);
     }
+}
+
+/* What a table may say can be told in degrees too. */
+static void test_large_angles_in_degrees(void)
+{
+    const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
+    process process;
+    file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,1,0,0,3e306\n");
+    run_well(&process, folder.text, (const char *const[]){"my.csv", "--joints", "0", "--degrees", "--accuracy",
+                                                          "1,1,1,1,1,1", "--csv", NULL});
+    const double told = number_after(&process, ",theta,motor,"), meant = 3e306 / acos(-1) * 180;
+    TEST_ASSERT_TRUE(fabs(told / meant - 1) < 1e-15);
+}
+
+/* A file may be called anything; an arm without a name is called after it, in characters that its table may have. */
+static void test_an_arm_called_after_its_file(void)
+{
+    static const char *const names[][2] = {
+        {"a\nb", "a?b"}, {"a\tb", "a?b"}, {"a\xff", "a?"}, {"\xc2\x80", "??"}, {"\xc3\xb6l", "\xc3\xb6l"},
+    };
+    const string folder = folder_new();
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        const string file = string_of("%s/%s.csv", folder.text, names[i][0]), line = string_of("name: %s\n", names[i][1]);
+        const string again = string_of("%s/again", folder.text);
+        process shown, back;
+        file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,1,0,0,0\n");
+        run_well(&shown, NULL, (const char *const[]){file.text, "--show", NULL});
+        TEST_ASSERT_EQUAL_INT_MESSAGE(0, strncmp(shown.output.bytes, line.text, strlen(line.text)), shown.output.bytes);
+        file_write(again.text, shown.output.bytes);
+        run_well(&back, NULL, (const char *const[]){again.text, "--show", NULL});
+        check_same(&shown, &back, line.text);
+    }
+}
+
+/* Weights that are 600 orders of magnitude apart: the optimum is not found, and no other is taken for it. */
+static void test_an_optimum_that_is_not_found(void)
+{
+    static const char message[] = "armtol: no tolerances: the iteration did not converge\n";
+    process process;
+    run(&process, NULL, (const char *const[]){"puma560", "--joints", "0,0.8,-3,0,0.8,0", "--accuracy", WISH, "--weights",
+                                              "theta=1e300,d=1e-300", NULL});
+    process_check_status(&process, 1, "far weights");
+    text_check(message, sizeof message - 1, &process.errors, "far weights");
+    text_check("", 0, &process.output, "far weights");
 }
 
 /* A prismatic joint's motor moves its d. */
@@ -469,6 +607,10 @@ static const wrong_call wrong_calls[] = {
      "armtol: --weights is for the methods worst and rss"},
     {{"puma560", "--joints", POSE, "--tolerances", "t.csv", "--delta", ".1", NULL},
      "armtol: --delta is for --method sphere"},
+    {{"puma560", "--joints", POSE, "--degrees", "--metres", "--accuracy", "1,1,1e307,1,1,1", NULL},
+     "armtol: --accuracy: component 3 is too large; expected six values > 0, or - for free ones\n"},
+    {{"my.csv", "--joints", "0", "--metres", "--tolerances", "t.csv", NULL},
+     "armtol: --tolerances: t.csv: a of link 0: the tolerance is too large\n"},
     {{ASKED, "--csv", "--budget", NULL}, "armtol: --csv writes tolerances only"},
     {{ASKED, "--csv", "--verify", "10", NULL}, "armtol: --csv writes tolerances only"},
     {{ASKED, "--method", "sphere", "--delta", "x", NULL}, "armtol: --delta: \"x\" is not a number\n"},
@@ -485,6 +627,8 @@ static void test_what_contradicts_itself_is_refused(void)
 {
     const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
     file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
+    file_write(string_of("%s/t.csv", folder.text).text,
+               "link,parameter,tolerance\n0,theta,1\n0,a,1e307\n0,alpha,inf\n0,beta,1\n");
     for (size_t i = 0; i < sizeof wrong_calls / sizeof wrong_calls[0]; i++) {
         const wrong_call *call = &wrong_calls[i];
         process process;
@@ -503,6 +647,10 @@ int main(void)
     RUN_TEST(test_the_tool_is_shown_in_metres);
     RUN_TEST(test_the_tables_are_the_json_in_short);
     RUN_TEST(test_the_budget_of_one_link);
+    RUN_TEST(test_what_depends_on_it_has_no_bound_either);
+    RUN_TEST(test_what_has_no_bound_is_null_in_json);
+    RUN_TEST(test_a_wish_for_it_is_answered_but_not_verified);
+    RUN_TEST(test_a_limit_may_stand_on_one_side);
     RUN_TEST(test_a_class_of_weights_is_its_parameters);
     RUN_TEST(test_weights_may_be_a_table);
     RUN_TEST(test_the_method_is_said);
@@ -513,6 +661,9 @@ int main(void)
     RUN_TEST(test_an_arm_through_a_pipe_has_a_largest_size);
     RUN_TEST(test_an_arm_through_a_pipe_needs_room);
     RUN_TEST(test_an_arm_of_too_large_numbers_is_refused);
+    RUN_TEST(test_large_angles_in_degrees);
+    RUN_TEST(test_an_arm_called_after_its_file);
+    RUN_TEST(test_an_optimum_that_is_not_found);
     RUN_TEST(test_motors_turn_and_push);
     RUN_TEST(test_a_title_is_escaped_in_json);
     RUN_TEST(test_a_terminal_sees_how_far_it_is_and_an_interrupt_prints_what_there_is);

@@ -28,9 +28,15 @@ static void test_a_survey(void)
     check_short_main(joint_orders_main, (const char *const[]){"joint-orders", GIVEN, TEST_PUBLISHED, NULL}, 100);
 }
 
+static void test_a_table_that_cannot_be_opened(void)
+{
+    check_main_without_descriptors(joint_orders_main, (const char *const[]){"joint-orders", TEST_ONE_CASE, NULL}, TEST_ONE_CASE);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_a_table_that_cannot_be_opened);
     RUN_TEST(test_a_survey);
     return UNITY_END();
 }

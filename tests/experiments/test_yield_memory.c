@@ -23,9 +23,15 @@ static void test_a_run(void)
     check_short_main(yield_main, (const char *const[]){"yield", "-n", "1", TEST_ONE_CASE, NULL}, 40);
 }
 
+static void test_a_table_that_cannot_be_opened(void)
+{
+    check_main_without_descriptors(yield_main, (const char *const[]){"yield", TEST_ONE_CASE, NULL}, TEST_ONE_CASE);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_a_table_that_cannot_be_opened);
     RUN_TEST(test_a_run);
     return UNITY_END();
 }

@@ -332,6 +332,7 @@ static void test_programs_that_fail(void)
         {"#!/bin/sh\nkill -9 $$\n", "intella ended with 137"},
         {"#!/bin/sh\nexit 0\n", "inttol.1"}, /* and leaves no files */
         {"#!/nowhere/sh\n", "/intella: "},
+        {"#!/bin/sh\nmkdir \"${1#--output=}/inttol.1\"\n", "inttol.1: Is a directory\n"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const string fake = fake_programs(rows[i].script), out = folder_new();
@@ -347,6 +348,20 @@ static void test_files_of_an_earlier_run_do_not_count(void)
     reproduce(TEST_PROGRAMS, TEST_PUBLISHED, out.text, &process);
     process_check_status(&process, 0, "the right programs");
     check_fails(fake.text, TEST_PUBLISHED, out.text, "inttol.1");
+}
+
+/* Whoever starts it may ignore the ends of children; a shell's trap is passed on. */
+static void test_ends_of_children_that_are_ignored(void)
+{
+    const string out = folder_new();
+    const process_setup setup = {
+        .program = "/bin/sh",
+        .arguments = (const char *const[]){"-c", "trap '' CHLD; exec \"$@\"", "sh", TEST_REPRODUCE, "--misses",
+                                           TEST_PROGRAMS, TEST_PUBLISHED, out.text, NULL}};
+    process process;
+    process_run(&process, &setup, "");
+    process_check_status(&process, 0, "SIGCHLD ignored");
+    TEST_ASSERT_EQUAL_STRING("66 of 66 published numbers reproduced\n", process.output.bytes);
 }
 
 /* ---- what the library computes of the errata ---- */
@@ -517,6 +532,7 @@ int main(void)
     RUN_TEST(test_table_that_cannot_be_read);
     RUN_TEST(test_programs_that_fail);
     RUN_TEST(test_files_of_an_earlier_run_do_not_count);
+    RUN_TEST(test_ends_of_children_that_are_ignored);
     RUN_TEST(test_cases_that_cannot_be_computed);
     RUN_TEST(test_walk_from_1987_to_corrected);
     RUN_TEST(test_each_erratum_alone);

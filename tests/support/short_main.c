@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <getopt.h>
 #include <stdio.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 enum { MOST = 16, LENGTH = 256 };
@@ -43,22 +44,53 @@ static int take_arguments(const char *const arguments[], char *argv[])
     return argc;
 }
 
+/* Its exit code, and what it said. */
+static int run_once(main_routine *entry, const char *const arguments[], said *said)
+{
+    char *argv[MOST + 1];
+    const int argc = take_arguments(arguments, argv);
+    said_begin();
+    const int code = run_quietly(entry, argc, argv);
+    said_end(said);
+    return code;
+}
+
+static main_routine *starved;
+
+/* It with no descriptor to be had. */
+static int starve(int argc, char *argv[])
+{
+    struct rlimit before;
+    TEST_ASSERT_EQUAL_INT(0, getrlimit(RLIMIT_NOFILE, &before));
+    const struct rlimit none = {0, before.rlim_max};
+    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_NOFILE, &none));
+    const int code = starved(argc, argv);
+    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_NOFILE, &before));
+    return code;
+}
+
+void check_main_without_descriptors(main_routine *entry, const char *const arguments[], const char *file)
+{
+    said said;
+    char message[LENGTH];
+    snprintf(message, sizeof message, "%s: %s: Too many open files\n", arguments[0], file);
+    starved = entry;
+    TEST_ASSERT_EQUAL_INT(EXIT_FAILED, run_once(starve, arguments, &said));
+    TEST_ASSERT_EQUAL_STRING(message, said.text);
+}
+
 static void check_lack(main_routine *entry, const char *const arguments[], memory_lack lack, long least)
 {
     bool enough = false;
     long n = 0;
     for (; !enough; n++) {
-        char *argv[MOST + 1];
-        const int argc = take_arguments(arguments, argv);
         char message[96];
         said said;
         snprintf(message, sizeof message, "%s: out of memory\n", arguments[0]);
-        said_begin();
         memory_is_left(n, lack);
-        const int code = run_quietly(entry, argc, argv);
+        const int code = run_once(entry, arguments, &said);
         enough = !memory_was_short();
         memory_is_enough();
-        said_end(&said);
         TEST_ASSERT_EQUAL_STRING(code == EXIT_OK ? "" : message, said.text);
         TEST_ASSERT_TRUE(code == EXIT_FAILED || (code == EXIT_OK && (enough || lack == LACK_ONCE)));
     }

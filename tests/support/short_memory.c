@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <spawn.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -51,6 +52,10 @@ char *__wrap_strdup(const char *text);
 FILE *__wrap_fdopen(int descriptor, const char *mode);
 FILE *__wrap_open_memstream(char **text, size_t *size);
 
+#define ADD_OPEN posix_spawn_file_actions_t *actions, int descriptor, const char *path, int flags, mode_t mode
+int __real_posix_spawn_file_actions_addopen(ADD_OPEN);
+int __wrap_posix_spawn_file_actions_addopen(ADD_OPEN);
+
 void *__wrap_malloc(size_t size)
 {
     return memory_fails() ? NULL : __real_malloc(size);
@@ -79,4 +84,10 @@ FILE *__wrap_fdopen(int descriptor, const char *mode)
 FILE *__wrap_open_memstream(char **text, size_t *size)
 {
     return memory_fails() ? NULL : __real_open_memstream(text, size);
+}
+
+int __wrap_posix_spawn_file_actions_addopen(ADD_OPEN)
+{
+    return memory_fails() ? ENOMEM
+                          : __real_posix_spawn_file_actions_addopen(actions, descriptor, path, flags, mode);
 }

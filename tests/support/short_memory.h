@@ -5,8 +5,8 @@
 
 /*
  * Memory that runs out. In a program that is linked with the linker's --wrap (armtol_test_short_memory in
- * tests/CMakeLists.txt) the calls of malloc, calloc, realloc and strdup in the project's own code, and those of fdopen
- * and open_memstream, which allocate a stream, are counted. Libraries' own calls are not.
+ * tests/CMakeLists.txt) the calls of malloc, calloc, realloc and strdup in the project's own code, and those of fdopen,
+ * open_memstream and posix_spawn_file_actions_addopen, which allocate, are counted. Libraries' own calls are not.
  */
 
 typedef enum memory_lack { LACK_FOR_GOOD, LACK_ONCE, LACKS } memory_lack;

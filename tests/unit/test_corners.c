@@ -147,6 +147,12 @@ static void test_sums_of_rows(void)
     check_same(1, armtol_rss_error(matrix, 2, 1, one_unbounded), "nor to the squares");
     check_same(INFINITY, armtol_worst_error(matrix, 2, 0, one_unbounded), "what moves it is not bounded");
     check_same(0, armtol_worst_error(matrix, 2, 5, tolerances), "a row of zeros");
+    const double rounded[12] = {0.9e-12, 1, 1.1e-12, 1}; /* an element counts from 1e-12 of the largest on */
+    check_same(1, armtol_worst_error(rounded, 2, 0, one_unbounded), "nor does what rounding left of a 0");
+    check_same(1, armtol_rss_error(rounded, 2, 0, one_unbounded), "nor to the squares");
+    check_same(INFINITY, armtol_worst_error(rounded, 2, 1, one_unbounded), "what counts is not bounded");
+    check_same(INFINITY, armtol_rss_error(rounded, 2, 1, one_unbounded), "nor is its square");
+    check_same(1 + 1.8e-12, armtol_worst_error(rounded, 2, 0, tolerances), "what is bounded adds all that it has");
 }
 
 /* ---- corners ---- */
