@@ -3,7 +3,6 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <string.h>
 
 enum { BAR = 60 };
 
@@ -53,26 +52,31 @@ static char sign_of(size_t link)
     return signs[link % (sizeof signs - 1)];
 }
 
-/* Lengthens the bar to what the sum of shares says. */
-static void lengthen(char bar[BAR + 1], double sum, char sign)
+/* Up to what the sum of the shares says, which rounding may bring above 1. */
+static void print_bar(const budget *budget, size_t i, bool motor)
 {
-    const size_t end = (size_t)(sum * BAR + 0.5);
-    for (size_t at = strlen(bar); at < end && at < BAR; at++) {
-        bar[at] = sign;
-        bar[at + 1] = '\0';
-    }
-}
-
-static void print_bar(const budget *budget, size_t i)
-{
-    char bar[2][BAR + 1] = {"", ""};
-    double sum[2] = {0, 0};
+    double sum = 0;
+    size_t at = 0;
     for (size_t r = 0; r < budget->n_rows; r++) {
         const budget_row *row = &budget->rows[r];
-        sum[row->motor] += row->shares[i];
-        lengthen(bar[row->motor], sum[row->motor], sign_of(row->link));
+        sum += row->motor == motor ? row->shares[i] : 0;
+        for (const size_t end = (size_t)(fmin(sum, 1) * BAR + 0.5); at < end; at++) {
+            putchar(sign_of(row->link));
+        }
     }
-    printf("  %s motors    |%s\n     machining |%s\n", component_names[i], bar[true], bar[false]);
+    putchar('\n');
+}
+
+static void print_bars(const budget *budget, size_t i)
+{
+    if (isnan(budget->motors[i])) {
+        printf("  %s without a bound\n", component_names[i]);
+        return;
+    }
+    printf("  %s motors    |", component_names[i]);
+    print_bar(budget, i, true);
+    printf("     machining |");
+    print_bar(budget, i, false);
 }
 
 bool text_budget(const findings *findings)
@@ -82,11 +86,7 @@ bool text_budget(const findings *findings)
     }
     printf("\nThe same as bars of link numbers, a whole component being %d long\n\n", BAR);
     for (size_t i = 0; i < 6; i++) {
-        if (isnan(findings->budget->motors[i])) {
-            printf("  %s without a bound\n", component_names[i]);
-        } else {
-            print_bar(findings->budget, i);
-        }
+        print_bars(findings->budget, i);
     }
     return true;
 }

@@ -252,6 +252,9 @@ static void child_runs(const process_setup *setup, const ends *ends)
     }
     setsid();
     signal(SIGPIPE, SIG_DFL);
+    if (setup->ignored != 0) {
+        signal(setup->ignored, SIG_IGN);
+    }
     if (setup->folder != NULL && chdir(setup->folder) < 0) {
         child_fails(setup->folder);
     }

@@ -59,6 +59,7 @@ typedef struct process_setup {
     const char *output_path;        /* where standard output goes, in place of its wire */
     uid_t user;                     /* to run as; only root can change it */
     rlim_t largest_file;            /* RLIMIT_FSIZE, bytes */
+    int ignored;                    /* a signal that it starts with ignored */
 } process_setup;
 
 typedef struct process {
