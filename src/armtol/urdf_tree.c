@@ -86,10 +86,17 @@ bool urdf_tree_add_joint(urdf_tree *tree, const char *name, const file_place *pl
 
 /* ---- names ---- */
 
-static bool said_twice(const char *what, const char *name, const file_place *first, const file_place *second)
+static bool is_later(const file_place *one, const file_place *other)
 {
-    file_message(second, "a second %s %s; the first is in line %zu", what, message_quote(name, &(quoted){""}),
-                 first->line);
+    return one->line > other->line || (one->line == other->line && one->column > other->column);
+}
+
+/* Two things of one name, in either order. */
+static bool said_twice(const char *what, const char *name, const file_place *one, const file_place *other)
+{
+    const bool in_order = is_later(other, one);
+    file_message(in_order ? other : one, "a second %s %s; the first is in line %zu", what,
+                 message_quote(name, &(quoted){""}), in_order ? one->line : other->line);
     return false;
 }
 
@@ -113,11 +120,6 @@ size_t urdf_tree_link(const urdf_tree *tree, const char *name)
     return found != NULL ? (size_t)(found - tree->links) : URDF_NONE;
 }
 
-static bool is_later(const file_place *one, const file_place *other)
-{
-    return one->line > other->line || (one->line == other->line && one->column > other->column);
-}
-
 /* Links come into the order of their names, so that one is quickly found. */
 static bool sort_links(urdf_tree *tree)
 {
@@ -127,9 +129,7 @@ static bool sort_links(urdf_tree *tree)
     for (size_t i = 1; i < tree->n_links; i++) {
         const urdf_link *const one = &tree->links[i - 1], *const other = &tree->links[i];
         if (strcmp(one->name, other->name) == 0) {
-            const bool in_order = is_later(&other->place, &one->place);
-            return said_twice("<link>", one->name, in_order ? &one->place : &other->place,
-                              in_order ? &other->place : &one->place);
+            return said_twice("<link>", one->name, &one->place, &other->place);
         }
     }
     return true;
@@ -138,8 +138,7 @@ static bool sort_links(urdf_tree *tree)
 static int compare_joints(const void *one, const void *other)
 {
     const urdf_joint *const *const a = one, *const *const b = other;
-    const int order = strcmp((*a)->name, (*b)->name);
-    return order != 0 ? order : (*a > *b) - (*a < *b);
+    return strcmp((*a)->name, (*b)->name);
 }
 
 /* Joints stay in the order of the file. */

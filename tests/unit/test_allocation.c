@@ -607,6 +607,20 @@ static void test_huge_and_tiny_numbers_are_no_trouble(void)
     }
 }
 
+/* As documented: n_rows and about c (c + n_columns), c being the lesser of n_rows and 3 n_columns + 24. */
+static void test_the_workspace_goes_with_the_lesser_number(void)
+{
+    static const size_t columns[] = {1, 24, 35, 200}, rows[] = {1, 6, 18, 96, 600, 6000};
+    for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) {
+        for (size_t j = 0; j < sizeof rows / sizeof rows[0]; j++) {
+            const size_t most = 3 * columns[i] + 24, c = rows[j] < most ? rows[j] : most;
+            const double size = (double)armtol_allocation_workspace(rows[j], columns[i]);
+            const double told = (double)(rows[j] + c * (c + columns[i]));
+            TEST_ASSERT_TRUE(size >= told && size <= told + 10 * (double)(c + columns[i]));
+        }
+    }
+}
+
 static void test_what_was_in_the_workspace_does_not_matter(void)
 {
     random_source source = {7};
@@ -769,6 +783,7 @@ int main(void)
     RUN_TEST(test_the_order_of_rows_and_columns_does_not_matter);
     RUN_TEST(test_units_do_not_matter);
     RUN_TEST(test_huge_and_tiny_numbers_are_no_trouble);
+    RUN_TEST(test_the_workspace_goes_with_the_lesser_number);
     RUN_TEST(test_what_was_in_the_workspace_does_not_matter);
     RUN_TEST(test_many_poses);
     RUN_TEST(test_a_large_problem_is_that_of_the_rows_that_bind);
