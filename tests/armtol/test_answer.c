@@ -1,9 +1,13 @@
 /* What armtol answers, held against the programs of 1987 with their errata corrected and against closed forms. */
 
 #include "analysis.h"
+#include "arm_source.h"
 #include "asked.h"
 #include "check.h"
+#include "exit_code.h"
+#include "message.h"
 #include "process.h"
+#include "said.h"
 #include "urdf.h"
 
 #include "unity.h"
@@ -11,6 +15,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 enum { TEXT = 256 };
@@ -255,6 +260,33 @@ static void test_an_arm_from_a_pipe(void)
     close(pair[0]);
 }
 
+/* Its copy takes a descriptor more than the pipe. */
+static void test_an_arm_from_a_pipe_needs_a_descriptor(void)
+{
+    int pair[2];
+    TEST_ASSERT_EQUAL_INT(0, pipe(pair));
+    close(pair[1]);
+    const string path = string_of("/dev/fd/%d", pair[0]);
+    const string complaint = string_of("armtol: %s: cannot be copied: Too many open files\n", path.text);
+    const cli_options options = question(path.text, "0", "1,1,1,1,1,1");
+    struct rlimit before;
+    arm_model model;
+    said said;
+    message_start("armtol");
+    said_begin();
+    const int lowest = dup(pair[0]);
+    close(lowest);
+    TEST_ASSERT_EQUAL_INT(0, getrlimit(RLIMIT_NOFILE, &before));
+    const struct rlimit one_more = {(rlim_t)lowest + 1, before.rlim_max};
+    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_NOFILE, &one_more));
+    const int code = arm_source_read(&options, &model);
+    TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_NOFILE, &before));
+    said_end(&said);
+    close(pair[0]);
+    TEST_ASSERT_EQUAL_INT(EXIT_FAILED, code);
+    TEST_ASSERT_EQUAL_STRING(complaint.text, said.text);
+}
+
 /* ---- several poses ---- */
 
 static void test_several_poses_are_as_narrow_as_each_of_them(void)
@@ -297,6 +329,7 @@ int main(void)
     RUN_TEST(test_a_tool_offset_moves_the_point_that_is_meant);
     RUN_TEST(test_the_ur5e_of_a_urdf_has_the_tolerances_of_its_table);
     RUN_TEST(test_an_arm_from_a_pipe);
+    RUN_TEST(test_an_arm_from_a_pipe_needs_a_descriptor);
     RUN_TEST(test_several_poses_are_as_narrow_as_each_of_them);
     return UNITY_END();
 }

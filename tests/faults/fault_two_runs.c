@@ -16,6 +16,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+static long pairs_of_runs;
+
 void setUp(void)
 {
 }
@@ -81,6 +83,7 @@ static void check_run_within(const tested *program)
         TEST_ASSERT_EQUAL_INT_MESSAGE(0, run.status, what.text);
         folder_check(folder.text, listing.text, what.text);
         mixed += mixed_pairs(program, folder.text);
+        pairs_of_runs++;
     }
     printf("%s: a run within another, at %ld calls; pairs of two runs: %ld\n", program->name, n - 1, mixed);
     /* the other's pair is between the two renames of this one's: once a pair */
@@ -132,6 +135,7 @@ static void test_both_at_once(void)
             check_ended(other, programs[i].name);
             folder_check(folder.text, listing.text, programs[i].name);
             mixed += mixed_pairs(&programs[i], folder.text);
+            pairs_of_runs++;
         }
         printf("%s: %d times two runs of one number; pairs of two runs: %d\n", programs[i].name, TIMES, mixed);
     }
@@ -150,6 +154,7 @@ static void test_both_at_once_with_numbers_of_their_own(void)
             check_ended(other, programs[i].name);
             check_golden(folder.text, 1, &programs[i], golden_1987, 1, FILES, programs[i].name);
             check_golden(folder.text, 2, &programs[i], golden_1987, 2, FILES, programs[i].name);
+            pairs_of_runs++;
         }
     }
 }
@@ -160,5 +165,6 @@ int main(void)
     RUN_TEST(test_one_run_within_another);
     RUN_TEST(test_both_at_once);
     RUN_TEST(test_both_at_once_with_numbers_of_their_own);
+    printf("%ld runs\n", pairs_of_runs);
     return UNITY_END();
 }

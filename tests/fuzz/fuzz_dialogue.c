@@ -116,6 +116,9 @@ static void check_tolerances(const analysis *analysis)
     for (size_t i = 0; i < analysis->robot->n_links; i++) {
         REQUIRE(analysis->machining[i] >= 0);
     }
+    for (size_t i = 0; i < analysis->robot->n_joints; i++) {
+        REQUIRE(analysis->motor[i] >= 0);
+    }
     check_guarantee(analysis);
 }
 

@@ -4,8 +4,8 @@
     uncovered.py SOURCE EXPLAINED COUNTS...
 
 COUNTS are gcovr's (--json), of one build tree each; a line is run when it is in any of them. EXPLAINED has a row a
-group of lines: file, the line before the group, why nothing runs it; tabs between. Where that begins with "machine: ",
-another machine may run them.
+group of lines that follow each other: file, the line before the group, the group's first line, how many lines it has,
+why nothing runs it; tabs between. Where that begins with "machine: ", another machine may run them.
 
 Exit status: 0 all lines are run or explained; 1 some are not, or what is explained is run after all; 2 usage.
 """
@@ -46,8 +46,8 @@ def read_explained(path):
     rows = {}
     for line in path.read_text().splitlines():
         if line and not line.startswith("#"):
-            file, before, reason = line.split("\t")
-            rows[file, before] = reason
+            file, before, first, count, reason = line.split("\t")
+            rows[file, before, first, int(count)] = reason
     return rows
 
 
@@ -61,17 +61,17 @@ def main():
     for file in sorted(files):
         text = (source / file).read_text().splitlines()
         for before, group in groups_of(files[file]):
-            key = file, text[before - 1].strip() if before else ""
+            key = file, text[before - 1].strip() if before else "", text[group[0] - 1].strip(), len(group)
             if key in explained:
                 unused.discard(key)
                 named += len(group)
                 print("%s:%d-%d: %s" % (file, group[0], group[-1], explained[key]))
             else:
                 wrong += len(group)
-                print("%s:%d-%d: no test runs it, behind: %s" % (file, group[0], group[-1], key[1]))
+                print("%s:%d-%d: no test runs these %d, behind: %s" % (file, group[0], group[-1], len(group), key[1]))
     unused = [key for key in sorted(unused) if not explained[key].startswith("machine: ")]
-    for file, before in unused:
-        print("%s: explained, but run or gone: behind %s" % (file, before))
+    for file, _, first, count in unused:
+        print("%s: explained, but run, gone, or no longer %d lines: %s" % (file, count, first))
     total = sum(len(lines) for lines in files.values())
     print("lines: %d, run by the tests %d, explained %d, neither %d" % (total, total - named - wrong, named, wrong))
     sys.exit(1 if wrong or unused else 0)

@@ -378,7 +378,6 @@ static void test_where_it_is_not_bounded(void)
 {
     box box = {.links = {{ARMTOL_NPR, ARMTOL_REVOLUTE, .a = 400}}, .n_links = 1};
     const double below[4] = {3.1, 5, 5, 0.04}, above[4] = {3.1, 5, 5, 0.05};
-    const double unbounded[4] = {0, INFINITY}, no_number[4] = {NAN};
     box_start(&box);
     armtol_remainder(box.matrix, box.n, below, box.remainder);
     for (int i = 0; i < 6; i++) {
@@ -388,10 +387,17 @@ static void test_where_it_is_not_bounded(void)
     for (int i = 0; i < 6; i++) {
         TEST_ASSERT_TRUE(i < 3 ? isfinite(box.remainder[i]) : isinf(box.remainder[i]));
     }
-    armtol_remainder(box.matrix, box.n, unbounded, box.remainder);
-    check_same(INFINITY, box.remainder[0], "an infinite tolerance");
-    armtol_remainder(box.matrix, box.n, no_number, box.remainder);
-    check_same(INFINITY, box.remainder[5], "no number");
+    for (int k = 0; k < 4; k++) {
+        double unbounded[4] = {0}, no_number[4] = {0};
+        unbounded[k] = INFINITY;
+        no_number[k] = NAN;
+        for (int i = 0; i < 6; i++) {
+            armtol_remainder(box.matrix, box.n, unbounded, box.remainder);
+            check_same(INFINITY, box.remainder[i], "an infinite tolerance, %d, %d", k, i);
+            armtol_remainder(box.matrix, box.n, no_number, box.remainder);
+            check_same(INFINITY, box.remainder[i], "no number, %d, %d", k, i);
+        }
+    }
 }
 
 /* A lever whose square overflows, and tolerances whose product underflows: 0 times infinity bounds nothing. */
