@@ -28,8 +28,8 @@ static bool check_bounded(const request *request, const answer *answer)
 {
     for (size_t i = 0; i < 6 && request->wished; i++) {
         if (isfinite(request->accuracy[i]) && isinf(answer->components[i].worst)) {
-            message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends on, "
-                    "or - in its place in --accuracy",
+            message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends "
+                    "on, or - in its place in --accuracy",
                     component_names[i], component_names[i]);
             return false;
         }

@@ -21,7 +21,8 @@ typedef struct budget {
 
 /*
  * The shares of the worst case, or with method rss of the summed squares; each component in the pose where its worst
- * case is largest. All 0 for a component that nothing moves, nan for one that nothing bounds. False, after a message, where memory is short.
+ * case is largest. All 0 for a component that nothing moves, nan for one that nothing bounds. False,
+ * after a message, where memory is short.
  */
 bool budget_make(budget *budget, const request *request, const answer *answer);
 void budget_free(budget *budget);

@@ -228,7 +228,8 @@ static int take_values(request *request)
         out_of_memory();
         return EXIT_FAILED;
     }
-    const bool fine = take_accuracy(request) && take_delta(request) && weights_parse(request->options->weights, &request->posed, request->weights) &&
+    const bool fine = take_accuracy(request) && take_delta(request) &&
+                      weights_parse(request->options->weights, &request->posed, request->weights) &&
                       (!given || read_tolerances(request));
     return fine ? EXIT_OK : EXIT_WRONG;
 }

@@ -296,10 +296,10 @@ static void test_a_limit_may_stand_on_one_side(void)
         file_write(file.text, table.text);
         run(&process, folder.text,
             (const char *const[]){"my.csv", "--joints", cases[i].value, "--accuracy", "1,1,1,1,1,1", NULL});
-        process_check_status(&process, cases[i].says == NULL ? 0 : 2, cases[i].value);
-        const string message =
-            string_of(cases[i].says == NULL ? "%s" : "armtol: pose 1, joint 1: %s\n", cases[i].says == NULL ? "" : cases[i].says);
-        text_check(message.text, strlen(message.text), &process.errors, cases[i].value);
+        process_check_status(&process, cases[i].says != NULL ? 2 : 0, cases[i].value);
+        const bool refused = cases[i].says != NULL;
+        const string message = string_of("armtol: pose 1, joint 1: %s\n", refused ? cases[i].says : "");
+        text_check(message.text, refused ? strlen(message.text) : 0, &process.errors, cases[i].value);
     }
 }
 
@@ -429,7 +429,8 @@ static void test_an_arm_through_a_pipe_has_a_largest_size(void)
         process_send(&process, line, sizeof line);
     }
     process_finish(&process);
-    static const char message[] = "armtol: /dev/stdin: is too long; expected an arm of at most 16777216 bytes through a pipe\n";
+    static const char message[] =
+        "armtol: /dev/stdin: is too long; expected an arm of at most 16777216 bytes through a pipe\n";
     process_check_status(&process, 2, "17 MiB");
     text_check(message, sizeof message - 1, &process.errors, "17 MiB");
 }
@@ -457,8 +458,10 @@ static void test_an_arm_of_too_large_numbers_is_refused(void)
     static const char *const rows[][3] = {
         {"revolute,1e308,0,1e308,0", "0", "armtol: my in these poses: a value is not finite\n"},
         {"revolute,0,3e306,0,0", "1.7976931348623157e308", "armtol: my in these poses: a value is not finite\n"},
-        {"revolute,0,3.2e306,0,0", "0", "armtol: my.csv: link 0: theta: 3.2e+306 rad is too large; expected at most 3.1e+306\n"},
-        {"prismatic,1e308,0,0,-3.2e306", "0", "armtol: my.csv: link 0: alpha: -3.2e+306 rad is too large; expected at most 3.1e+306\n"},
+        {"revolute,0,3.2e306,0,0", "0",
+         "armtol: my.csv: link 0: theta: 3.2e+306 rad is too large; expected at most 3.1e+306\n"},
+        {"prismatic,1e308,0,0,-3.2e306", "0",
+         "armtol: my.csv: link 0: alpha: -3.2e+306 rad is too large; expected at most 3.1e+306\n"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
@@ -492,7 +495,8 @@ static void test_an_arm_called_after_its_file(void)
     };
     const string folder = folder_new();
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        const string file = string_of("%s/%s.csv", folder.text, names[i][0]), line = string_of("name: %s\n", names[i][1]);
+        const string file = string_of("%s/%s.csv", folder.text, names[i][0]);
+        const string line = string_of("name: %s\n", names[i][1]);
         const string again = string_of("%s/again", folder.text);
         process shown, back;
         file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,1,0,0,0\n");
@@ -509,8 +513,9 @@ static void test_an_optimum_that_is_not_found(void)
 {
     static const char message[] = "armtol: no tolerances: the iteration did not converge\n";
     process process;
-    run(&process, NULL, (const char *const[]){"puma560", "--joints", "0,0.8,-3,0,0.8,0", "--accuracy", WISH, "--weights",
-                                              "theta=1e300,d=1e-300", NULL});
+    run(&process, NULL,
+        (const char *const[]){"puma560", "--joints", "0,0.8,-3,0,0.8,0", "--accuracy", WISH, "--weights",
+                              "theta=1e300,d=1e-300", NULL});
     process_check_status(&process, 1, "far weights");
     text_check(message, sizeof message - 1, &process.errors, "far weights");
     text_check("", 0, &process.output, "far weights");
