@@ -546,6 +546,7 @@ static void test_what_is_missing_or_no_number(void)
     static const wrong_file wrong[] = {
         {ROBOT("\n\n  <link/>"), NULL, NULL, ":3:3: <link> has no name"},
         {ROBOT("<link name=''/>"), NULL, NULL, ":1:17: <link> has no name"},
+        {ROBOT("<link of='name' color='red'/>"), NULL, NULL, ":1:17: <link> has no name"},
         {ROBOT("<joint type='fixed'/>"), NULL, NULL, ":1:17: <joint> has no name"},
         {ROBOT("<joint name='j'/>"), NULL, NULL, ":1:17: <joint> has no type"},
         {ROBOT(TWO_LINKS "\n<joint name='j' type='ball'/>"), NULL, NULL,

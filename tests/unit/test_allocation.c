@@ -756,6 +756,11 @@ static void test_wrong_input_is_refused(void)
         given.matrix[i] = matrix[i] * 1e-290;
     }
     check_refused(ARMTOL_NOT_FINITE, "tolerances that overflow");
+    for (size_t i = 0; i < 2; i++) {
+        const double one_far[4] = {i == 0 ? 1e290 : 1, 0, 0, i == 1 ? 1e290 : 1};
+        set(&given, ARMTOL_WORST_CASE, 2, 2, one_far);
+        check_refused(ARMTOL_NOT_FINITE, "one tolerance that underflows");
+    }
     set(&given, ARMTOL_WORST_CASE, 1, 2, matrix);
     given.matrix[0] = given.matrix[1] = 1e279;
     given.weights[1] = 1e-10;
