@@ -226,6 +226,14 @@ static string with_alpha_free(void)
 
 #define GIVEN "my.csv", "--joints", "0", "--tolerances", "t.csv"
 
+static void test_a_table_of_tolerances_says_so(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", ".5,.5,.5,-,-,-",
+                                                   "--csv", NULL});
+    check_says(&process, "\n5,npr,theta,motor,0,inf,deg\n");
+}
+
 static void test_what_depends_on_it_has_no_bound_either(void)
 {
     const string folder = with_alpha_free();
@@ -652,6 +660,7 @@ int main(void)
     RUN_TEST(test_the_tool_is_shown_in_metres);
     RUN_TEST(test_the_tables_are_the_json_in_short);
     RUN_TEST(test_the_budget_of_one_link);
+    RUN_TEST(test_a_table_of_tolerances_says_so);
     RUN_TEST(test_what_depends_on_it_has_no_bound_either);
     RUN_TEST(test_what_has_no_bound_is_null_in_json);
     RUN_TEST(test_a_wish_for_it_is_answered_but_not_verified);

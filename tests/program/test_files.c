@@ -103,6 +103,28 @@ static void test_files_go_where_they_are_told(void)
     }
 }
 
+/* A draft's name may be taken, by a run on another machine that shares the folder, say: it is left alone. */
+static void test_a_draft_s_name_that_is_taken(void)
+{
+    static const char script[] = "for n in 0 1 2; do echo mine >\"$2/.$3.1.$$-$n.part\"; done; exec \"$1\" -o \"$2\"";
+    for (int i = 0; i < PROGRAMS; i++) {
+        const string folder = folder_new(), input = right_answers(&programs[i]);
+        const process_setup setup = {
+            .program = "/bin/sh",
+            .arguments = (const char *const[]){"-c", script, "sh", programs[i].path, folder.text,
+                                               programs[i].files[0], NULL}};
+        process process;
+        process_run(&process, &setup, input.text);
+        process_check_status(&process, 0, programs[i].name);
+        check_golden(folder.text, 1, &programs[i], golden_1987, 1, FILES, programs[i].name);
+        for (int n = 0; n < 3; n++) {
+            const string taken =
+                string_of("%s/.%s.1.%ld-%d.part", folder.text, programs[i].files[0], (long)process.id, n);
+            file_check(taken.text, "mine\n", taken.text);
+        }
+    }
+}
+
 /* A folder named from the root. */
 static void test_files_go_to_an_absolute_folder(void)
 {
@@ -401,6 +423,7 @@ int main(void)
     RUN_TEST(test_paper_cases_of_intella);
     RUN_TEST(test_paper_cases_of_adpta);
     RUN_TEST(test_files_go_where_they_are_told);
+    RUN_TEST(test_a_draft_s_name_that_is_taken);
     RUN_TEST(test_files_go_to_an_absolute_folder);
     RUN_TEST(test_each_erratum_changes_what_it_should);
     RUN_TEST(test_each_erratum_changes_its_lines_only);

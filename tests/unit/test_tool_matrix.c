@@ -128,6 +128,19 @@ static void test_chains_of_all_kinds_agree_with_central_differences(void)
     }
 }
 
+/* What is 0 is passed over, and nothing else is: parameters that are 1, of fixed links too. */
+static void test_links_of_ones(void)
+{
+    for (uint64_t seed = 0; seed < 12; seed++) {
+        armtol_link links[MOST_LINKS];
+        random_links(seed, 7, links);
+        for (size_t i = 0; i < 7; i++) {
+            links[i].a = links[i].d = links[i].alpha = links[i].theta = links[i].beta = 1;
+        }
+        check_differences(links, 7, &armtol_tool_origin);
+    }
+}
+
 /* Against the other way to A, by adjoints. */
 static void check_error_matrix(const armtol_link links[], size_t n_links)
 {
@@ -204,6 +217,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_chains_of_all_kinds_agree_with_central_differences);
+    RUN_TEST(test_links_of_ones);
     RUN_TEST(test_it_is_the_error_matrix_without_errata);
     RUN_TEST(test_angles_of_any_size);
     RUN_TEST(test_wrong_chains_and_sizes_are_refused);
