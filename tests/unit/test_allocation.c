@@ -763,6 +763,8 @@ static void test_wrong_input_is_refused(void)
         const double one_far[4] = {i == 0 ? 1e290 : 1, 0, 0, i == 1 ? 1e290 : 1};
         set(&given, ARMTOL_WORST_CASE, 2, 2, one_far);
         check_refused(ARMTOL_NOT_FINITE, "one tolerance that underflows");
+        given.limits[i] = 1e-20; /* beyond what a double holds: no tolerance of 0 is one without a bound */
+        check_refused(ARMTOL_NOT_FINITE, "one tolerance that is 0");
     }
     set(&given, ARMTOL_WORST_CASE, 1, 2, matrix);
     given.matrix[0] = given.matrix[1] = 1e279;
