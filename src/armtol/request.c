@@ -140,6 +140,14 @@ static bool pose_arm(request *request, const arm_model *model)
 
 /* ---- wishes ---- */
 
+/* From the user's units to inside ones; false where no double holds a finite value there. */
+static bool take_value(const units *units, bool is_length, double *value)
+{
+    const double given = *value;
+    *value = units_taken(units, is_length, given);
+    return isinf(given) || !isinf(*value);
+}
+
 static bool take_accuracy(request *request)
 {
     const char *text = request->options->accuracy;
@@ -152,14 +160,13 @@ static bool take_accuracy(request *request)
         return false;
     }
     for (int i = 0; i < 6; i++) {
-        const double wish = request->accuracy[i], taken = units_taken(&request->units, i < 3, wish);
-        if (!(wish > 0) || (isinf(taken) && !isinf(wish))) {
+        const bool positive = request->accuracy[i] > 0;
+        bounded = bounded || isfinite(request->accuracy[i]);
+        if (!positive || !take_value(&request->units, i < 3, &request->accuracy[i])) {
             message("--accuracy: component %d is %s; expected six values > 0, or - for free ones", i + 1,
-                    wish > 0 ? "too large" : "not greater than zero");
+                    positive ? "too large" : "not greater than zero");
             return false;
         }
-        bounded = bounded || isfinite(wish);
-        request->accuracy[i] = taken;
     }
     if (!bounded) {
         message("--accuracy: all components are free; expected at least one number");
@@ -179,15 +186,13 @@ static bool take_delta(request *request)
     return fine;
 }
 
-/* From the user's units to inside ones. */
 static bool take_tolerances(request *request, const char *path)
 {
     const posed_arm *posed = &request->posed;
     for (size_t k = 0; k < posed->n_columns; k++) {
         const armtol_column *column = &posed->columns[k];
-        const double given = request->tolerances[k];
-        request->tolerances[k] = units_taken(&request->units, armtol_parameter_is_length(column->parameter), given);
-        if (isinf(request->tolerances[k]) && !isinf(given)) {
+        const bool is_length = armtol_parameter_is_length(column->parameter);
+        if (!take_value(&request->units, is_length, &request->tolerances[k])) {
             message("--tolerances: %s: %s of link %zu: the tolerance is too large", path,
                     armtol_parameter_name(column->parameter), column->link);
             return false;

@@ -8,11 +8,7 @@ enum { BAR = 60 };
 
 static void set_share(table_row *row, size_t i, double share)
 {
-    if (isnan(share)) {
-        table_set(row, i + 1, "-");
-    } else {
-        table_set(row, i + 1, "%.1f", 100 * share);
-    }
+    table_set(row, i + 1, isnan(share) ? "-" : "%.1f", 100 * share);
 }
 
 static bool print_table(const budget *budget)

@@ -121,18 +121,6 @@ static bool is_control(const unsigned char *c)
     return (c[0] < ' ' && c[0] != '\t') || c[0] == 127 || (c[0] == 0xc2 && c[1] < 0xa0);
 }
 
-void text_make_printable(char *text)
-{
-    for (unsigned char *c = (unsigned char *)text; *c != '\0';) {
-        const size_t length = character_length(c);
-        if (length == 0 || *c == '\t' || is_control(c)) {
-            *c++ = '?';
-        } else {
-            c += length;
-        }
-    }
-}
-
 /* What is wrong with the character that begins here, of that length; NULL where nothing is. */
 static const char *fault_of(const unsigned char *c, size_t length)
 {
@@ -143,6 +131,18 @@ static const char *fault_of(const unsigned char *c, size_t length)
         return "a zero byte: UTF-16, or no text; " SAVE_AS;
     }
     return is_control(c) ? "a control character, which has no meaning here" : NULL;
+}
+
+void text_make_printable(char *text)
+{
+    for (unsigned char *c = (unsigned char *)text; *c != '\0';) {
+        const size_t length = character_length(c);
+        if (*c == '\t' || fault_of(c, length) != NULL) {
+            *c++ = '?';
+        } else {
+            c += length;
+        }
+    }
 }
 
 static bool check_characters(const text_lines *lines)

@@ -12,7 +12,7 @@ cli_options question(const char *arm, const char *joints, const char *accuracy)
     return (cli_options){.arm = arm, .joints = joints, .accuracy = accuracy, .sigma = 3, .seed = 1987};
 }
 
-static int lowest_free_descriptor(void)
+int lowest_free_descriptor(void)
 {
     int descriptor = 0;
     while (fcntl(descriptor, F_GETFD) != -1) {

@@ -22,4 +22,7 @@ void asked_free(asked *asked);
 /* The column of a link's parameter; fails the test where there is none. */
 size_t asked_column(const asked *asked, size_t link, armtol_parameter parameter);
 
+/* The one that the next file to be opened gets. */
+int lowest_free_descriptor(void);
+
 #endif

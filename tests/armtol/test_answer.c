@@ -274,8 +274,7 @@ static void test_an_arm_from_a_pipe_needs_a_descriptor(void)
     said said;
     message_start("armtol");
     said_begin();
-    const int lowest = dup(pair[0]);
-    close(lowest);
+    const int lowest = lowest_free_descriptor();
     TEST_ASSERT_EQUAL_INT(0, getrlimit(RLIMIT_NOFILE, &before));
     const struct rlimit one_more = {(rlim_t)lowest + 1, before.rlim_max};
     TEST_ASSERT_EQUAL_INT(0, setrlimit(RLIMIT_NOFILE, &one_more));
