@@ -16,7 +16,7 @@ ARMTOL_INTERFACE_BEGIN
 
 /*
  * |row| tolerances: the largest that the row's component of the error gets to first order. An infinite tolerance
- * makes it infinite where its element counts (allocation.h), and adds nothing where it does not.
+ * makes it infinite where its element counts (optimum.h), and adds nothing where it does not.
  */
 double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[]);
 

@@ -1,15 +1,15 @@
 /* armtol: how precisely the parts of an arm have to be made. */
 
-#include "answer.h"
-#include "arm_file.h"
-#include "arm_list.h"
-#include "arm_source.h"
-#include "cli_options.h"
-#include "exit_code.h"
-#include "message.h"
-#include "output.h"
-#include "request.h"
-#include "rounding.h"
+#include "armtol/ask/arm_source.h"
+#include "armtol/ask/options.h"
+#include "armtol/ask/request.h"
+#include "armtol/engine/answer.h"
+#include "armtol/tables/arm_file.h"
+#include "armtol/tell/arm_list.h"
+#include "armtol/tell/output.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+#include "console/rounding.h"
 
 #include <math.h>
 #include <signal.h>

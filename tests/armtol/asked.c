@@ -1,7 +1,7 @@
-#include "asked.h"
+#include "armtol/asked.h"
 
-#include "arm_source.h"
-#include "exit_code.h"
+#include "armtol/ask/arm_source.h"
+#include "console/exit_code.h"
 
 #include "unity.h"
 

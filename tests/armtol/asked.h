@@ -1,8 +1,8 @@
 #ifndef TEST_ASKED_H
 #define TEST_ASKED_H
 
-#include "answer.h"
-#include "request.h"
+#include "armtol/ask/request.h"
+#include "armtol/engine/answer.h"
 
 /* A question to armtol and its answer, without the program around them. */
 typedef struct asked {

@@ -1,7 +1,7 @@
 /* Draws more arms than anybody can wait for, on two threads; says how many it drew. */
 
-#include "message.h"
-#include "one_link.h"
+#include "armtol/one_link.h"
+#include "console/message.h"
 
 #include <stdio.h>
 

@@ -1,4 +1,4 @@
-#include "one_link.h"
+#include "armtol/one_link.h"
 
 verification_task one_link_task(one_link *one, uint64_t samples)
 {

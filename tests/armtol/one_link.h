@@ -1,7 +1,7 @@
 #ifndef TEST_ONE_LINK_H
 #define TEST_ONE_LINK_H
 
-#include "verification.h"
+#include "armtol/engine/verification.h"
 
 /* A link of length 400 along x that turns about z by errors within 0.004, and is in no other error. */
 typedef struct one_link {

@@ -1,14 +1,14 @@
 /* What armtol answers, held against the programs of 1987 with their errata corrected and against closed forms. */
 
-#include "analysis.h"
-#include "arm_source.h"
-#include "asked.h"
-#include "check.h"
-#include "exit_code.h"
-#include "message.h"
-#include "process.h"
-#include "said.h"
-#include "urdf.h"
+#include "1987/analysis.h"
+#include "armtol/ask/arm_source.h"
+#include "armtol/asked.h"
+#include "armtol/urdf/urdf.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+#include "support/check.h"
+#include "support/process.h"
+#include "support/said.h"
 
 #include "unity.h"
 

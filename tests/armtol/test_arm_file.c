@@ -3,12 +3,12 @@
  * written comes back to the bit.
  */
 
-#include "arm_file.h"
-#include "message.h"
+#include "armtol/tables/arm_file.h"
+#include "console/message.h"
 
-#include "check.h"
-#include "random.h"
-#include "said.h"
+#include "support/check.h"
+#include "support/random.h"
+#include "support/said.h"
 
 #include "unity.h"
 

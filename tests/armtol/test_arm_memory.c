@@ -1,11 +1,11 @@
 /* Memory that runs out, at every place where it can: a message, and nothing is kept. Built with the linker's --wrap. */
 
-#include "arm_file.h"
-#include "lists.h"
-#include "message.h"
+#include "armtol/ask/lists.h"
+#include "armtol/tables/arm_file.h"
+#include "console/message.h"
 
-#include "said.h"
-#include "short_memory.h"
+#include "support/said.h"
+#include "support/short_memory.h"
 
 #include "unity.h"
 

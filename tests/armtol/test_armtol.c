@@ -1,6 +1,6 @@
 /* The program armtol, run as its users run it. */
 
-#include "process.h"
+#include "support/process.h"
 
 #include "unity.h"
 

@@ -1,7 +1,7 @@
 /* The whole of armtol in this process, memory running out at every place where it can. Built with --wrap. */
 
-#include "short_main.h"
-#include "short_memory.h"
+#include "support/short_main.h"
+#include "support/short_memory.h"
 
 #include "unity.h"
 

@@ -1,6 +1,6 @@
 /* Whole runs of armtol that ask in unusual ways: units, weights, files, several poses, the other way round. */
 
-#include "process.h"
+#include "support/process.h"
 
 #include "unity.h"
 

@@ -1,9 +1,9 @@
 /* Degrees as text, radians as doubles. */
 
-#include "degrees.h"
+#include "armtol/tables/degrees.h"
 
-#include "check.h"
-#include "random.h"
+#include "support/check.h"
+#include "support/random.h"
 
 #include "unity.h"
 

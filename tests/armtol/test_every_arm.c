@@ -1,10 +1,10 @@
 /* What holds for every built-in arm, at poses drawn within its joints' limits. */
 
-#include "asked.h"
-#include "check.h"
-#include "random.h"
-#include "reference.h"
-#include "verification.h"
+#include "armtol/asked.h"
+#include "armtol/engine/verification.h"
+#include "support/check.h"
+#include "support/random.h"
+#include "support/reference.h"
 
 #include "unity.h"
 

@@ -1,11 +1,11 @@
 /* Lists of poses, and tables with a value for every parameter: what is read, and every message with its place. */
 
-#include "lists.h"
-#include "message.h"
+#include "armtol/ask/lists.h"
+#include "console/message.h"
 
-#include "check.h"
-#include "random.h"
-#include "said.h"
+#include "support/check.h"
+#include "support/random.h"
+#include "support/said.h"
 
 #include "unity.h"
 

@@ -1,12 +1,12 @@
 /* Numbers on the command line: all of a number counts, or none of it. */
 
-#include "number_list.h"
-#include "posed_arm.h"
-#include "weights.h"
+#include "armtol/ask/number_list.h"
+#include "armtol/ask/weights.h"
+#include "armtol/engine/posed_arm.h"
 
-#include "check.h"
-#include "message.h"
-#include "said.h"
+#include "console/message.h"
+#include "support/check.h"
+#include "support/said.h"
 
 #include "unity.h"
 

@@ -1,14 +1,14 @@
-#include "urdf.h"
+#include "armtol/urdf/urdf.h"
 
 #include "armtol/arm.h"
 #include "armtol/error_matrix.h"
 #include "armtol/link_transform.h"
-#include "message.h"
+#include "console/message.h"
 
-#include "check.h"
-#include "random.h"
-#include "reference.h"
-#include "said.h"
+#include "support/check.h"
+#include "support/random.h"
+#include "support/reference.h"
+#include "support/said.h"
 #include "unity.h"
 
 #include <math.h>

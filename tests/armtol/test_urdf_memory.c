@@ -1,11 +1,11 @@
 /* Memory that runs out while a URDF is read: a message, and nothing is kept. Linked with --wrap. */
 
-#include "urdf.h"
+#include "armtol/urdf/urdf.h"
 
-#include "message.h"
+#include "console/message.h"
 
-#include "said.h"
-#include "short_memory.h"
+#include "support/said.h"
+#include "support/short_memory.h"
 
 #include "unity.h"
 

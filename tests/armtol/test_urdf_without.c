@@ -1,10 +1,10 @@
-/* What an armtol says that was built without expat: urdf_without.c stands in for the reader here. */
+/* What an armtol says that was built without expat: urdf/without.c stands in for the reader here. */
 
-#include "urdf.h"
+#include "armtol/urdf/urdf.h"
 
-#include "message.h"
+#include "console/message.h"
 
-#include "said.h"
+#include "support/said.h"
 #include "unity.h"
 
 #include <stdio.h>

@@ -1,14 +1,14 @@
 /* Arms drawn and corners searched: closed forms, threads, interrupts, and the bar. */
 
+#include "armtol/engine/verification_interrupt.h"
+#include "armtol/engine/verification_tally.h"
+#include "armtol/one_link.h"
 #include "armtol/robots.h"
 #include "armtol/sampler.h"
 #include "armtol/tool_error.h"
-#include "check.h"
-#include "one_link.h"
-#include "process.h"
-#include "random.h"
-#include "verification_interrupt.h"
-#include "verification_tally.h"
+#include "support/check.h"
+#include "support/process.h"
+#include "support/random.h"
 
 #include "unity.h"
 

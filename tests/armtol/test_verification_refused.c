@@ -1,9 +1,9 @@
 /* Memory and threads that cannot be had: a message, or fewer threads. Built with the linker's --wrap. */
 
-#include "message.h"
-#include "one_link.h"
-#include "said.h"
-#include "short_memory.h"
+#include "armtol/one_link.h"
+#include "console/message.h"
+#include "support/said.h"
+#include "support/short_memory.h"
 
 #include "unity.h"
 

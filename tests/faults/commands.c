@@ -1,4 +1,4 @@
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

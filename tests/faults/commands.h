@@ -1,8 +1,8 @@
 #ifndef TEST_COMMANDS_H
 #define TEST_COMMANDS_H
 
-#include "faulted.h"
-#include "programs.h"
+#include "faults/faulted.h"
+#include "programs/programs.h"
 
 /* What is run with faults: armtol in all its ways, and the two programs of 1987 in a folder with old files. */
 

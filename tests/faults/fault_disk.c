@@ -3,7 +3,7 @@
  * changes files failing; writes that take a byte at a time.
  */
 
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

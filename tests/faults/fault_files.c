@@ -3,7 +3,7 @@
  * not be read; and names that are hard to handle. Reading has little memory and little time.
  */
 
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

@@ -5,7 +5,7 @@
  * first of the pair is new and the second old; after any other signal neither.
  */
 
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

@@ -1,6 +1,6 @@
 /* Little memory, few descriptors, small files, no threads: a message, or the right answer. */
 
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

@@ -3,7 +3,7 @@
  * or the right answer where libc or the program can do without; nothing half written, nothing kept.
  */
 
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

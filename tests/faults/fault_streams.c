@@ -3,7 +3,7 @@
  * to what a program opens next: no message may be written into a file for that.
  */
 
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

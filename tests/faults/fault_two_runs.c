@@ -4,7 +4,7 @@
  * the other run's renames come between this one's.
  */
 
-#include "commands.h"
+#include "faults/commands.h"
 
 #include "unity.h"
 

@@ -1,6 +1,6 @@
 #define _GNU_SOURCE /* a pipe's ends that no program inherits */
 
-#include "faulted.h"
+#include "faults/faulted.h"
 
 #include "unity.h"
 

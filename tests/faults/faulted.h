@@ -1,8 +1,8 @@
 #ifndef TEST_FAULTED_H
 #define TEST_FAULTED_H
 
-#include "fault.h"
-#include "process.h"
+#include "faults/fault.h"
+#include "support/process.h"
 
 /*
  * Runs of a program in which something goes wrong at a place that is told exactly. The program is started once, and

@@ -1,7 +1,7 @@
 #ifndef TEST_FAULTY_H
 #define TEST_FAULTY_H
 
-#include "fault.h"
+#include "faults/fault.h"
 
 /* What the parts of the shared object share. */
 extern fault faulty_plan;

@@ -5,7 +5,7 @@
 
 #define _GNU_SOURCE /* ucontext's registers, syscall */
 
-#include "faulty.h"
+#include "faults/faulty.h"
 
 #include <errno.h>
 #include <fcntl.h>

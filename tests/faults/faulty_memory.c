@@ -2,7 +2,7 @@
 
 #define _GNU_SOURCE /* RTLD_NEXT, dl_iterate_phdr */
 
-#include "faulty.h"
+#include "faults/faulty.h"
 
 #include <dlfcn.h>
 #include <errno.h>

@@ -6,7 +6,7 @@
 
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 
-#include "faulty.h"
+#include "faults/faulty.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-#include "bytes.h"
+#include "fuzz/bytes.h"
 
 #include <math.h>
 #include <string.h>

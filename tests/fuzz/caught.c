@@ -1,7 +1,7 @@
-#include "caught.h"
+#include "fuzz/caught.h"
 
-#include "message.h"
-#include "require.h"
+#include "console/message.h"
+#include "fuzz/require.h"
 
 #include <string.h>
 

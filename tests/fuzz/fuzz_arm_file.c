@@ -1,9 +1,9 @@
 /* The table of an arm: it is refused with one message, or read and then written and read again to the bit. */
 
-#include "harness.h"
-#include "require.h"
+#include "fuzz/harness.h"
+#include "fuzz/require.h"
 
-#include "arm_file.h"
+#include "armtol/tables/arm_file.h"
 
 #include <float.h>
 #include <math.h>

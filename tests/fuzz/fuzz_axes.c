@@ -3,14 +3,14 @@
  * and the table keeps to the rules of axes.h.
  */
 
-#include "bytes.h"
-#include "harness.h"
-#include "motion.h"
-#include "require.h"
+#include "fuzz/bytes.h"
+#include "fuzz/harness.h"
+#include "fuzz/motion.h"
+#include "fuzz/require.h"
 
 #include "armtol/axes.h"
 #include "armtol/link_transform.h"
-#include "random.h"
+#include "support/random.h"
 
 #include <math.h>
 

@@ -3,15 +3,15 @@
  * the next two which errata are corrected; the rest is what the user types.
  */
 
-#include "harness.h"
-#include "require.h"
+#include "fuzz/harness.h"
+#include "fuzz/require.h"
 
-#include "exit_code.h"
-#include "message.h"
-#include "options.h"
-#include "outfile.h"
-#include "report.h"
-#include "session.h"
+#include "1987/options.h"
+#include "1987/outfile.h"
+#include "1987/report.h"
+#include "1987/session.h"
+#include "console/exit_code.h"
+#include "console/message.h"
 
 #include <ctype.h>
 #include <math.h>

@@ -3,10 +3,10 @@
  * for parameters, which arm and what is asked of the table.
  */
 
-#include "harness.h"
-#include "require.h"
+#include "fuzz/harness.h"
+#include "fuzz/require.h"
 
-#include "lists.h"
+#include "armtol/ask/lists.h"
 
 #include "armtol/arm.h"
 

@@ -3,17 +3,17 @@
  * from the whole text, and what is written is read as the same number again.
  */
 
-#include "harness.h"
-#include "require.h"
+#include "fuzz/harness.h"
+#include "fuzz/require.h"
 
-#include "arm_model.h"
-#include "degrees.h"
-#include "message.h"
-#include "number.h"
-#include "number_list.h"
-#include "posed_arm.h"
-#include "weights.h"
-#include "whole_number.h"
+#include "armtol/ask/number_list.h"
+#include "armtol/ask/weights.h"
+#include "armtol/engine/arm_model.h"
+#include "armtol/engine/posed_arm.h"
+#include "armtol/tables/degrees.h"
+#include "console/message.h"
+#include "console/number.h"
+#include "console/whole_number.h"
 
 #include <float.h>
 #include <math.h>

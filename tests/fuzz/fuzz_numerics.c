@@ -3,13 +3,13 @@
  * spheres, the remainder, the sampler. Every promise of the headers that can be looked at is.
  */
 
-#include "bytes.h"
-#include "harness.h"
-#include "require.h"
+#include "fuzz/bytes.h"
+#include "fuzz/harness.h"
+#include "fuzz/require.h"
 
 #include "armtol/armtol.h"
 #include "armtol/poses.h"
-#include "random.h"
+#include "support/random.h"
 
 #include <math.h>
 #include <string.h>

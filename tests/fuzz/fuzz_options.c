@@ -3,15 +3,15 @@
  * all that came out is within its range, or there is one message.
  */
 
-#include "harness.h"
-#include "require.h"
+#include "fuzz/harness.h"
+#include "fuzz/require.h"
 
-#include "cli_options.h"
-#include "exit_code.h"
-#include "message.h"
-#include "options.h"
-#include "orders_options.h"
-#include "yield_options.h"
+#include "1987/options.h"
+#include "armtol/ask/options.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+#include "lab/joint_orders/options.h"
+#include "lab/yield/options.h"
 
 #include <getopt.h>
 #include <math.h>

@@ -3,17 +3,17 @@
  * the ends that the file itself says, with two of its links for ends, and with a link that it has not.
  */
 
-#include "bytes.h"
-#include "harness.h"
-#include "motion.h"
-#include "require.h"
+#include "fuzz/bytes.h"
+#include "fuzz/harness.h"
+#include "fuzz/motion.h"
+#include "fuzz/require.h"
 
 #include "armtol/link_transform.h"
-#include "random.h"
-#include "urdf.h"
-#include "urdf_chain.h"
-#include "urdf_parse.h"
-#include "urdf_tree.h"
+#include "armtol/urdf/chain.h"
+#include "armtol/urdf/parse.h"
+#include "armtol/urdf/tree.h"
+#include "armtol/urdf/urdf.h"
+#include "support/random.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "motion.h"
+#include "fuzz/motion.h"
 
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* In place of libFuzzer: gives every file of the folders that it is called with to the harness, once. */
 
-#include "harness.h"
+#include "fuzz/harness.h"
 
 #include <dirent.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #ifndef FUZZ_REQUIRE_H
 #define FUZZ_REQUIRE_H
 
-#include "caught.h"
+#include "fuzz/caught.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "random.h"
+#include "support/random.h"
 
 static uint64_t next(random_source *source)
 {

@@ -1,4 +1,4 @@
-#include "said.h"
+#include "support/said.h"
 
 #include "unity.h"
 

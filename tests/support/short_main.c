@@ -1,9 +1,9 @@
-#include "short_main.h"
+#include "support/short_main.h"
 
-#include "exit_code.h"
+#include "console/exit_code.h"
 
-#include "said.h"
-#include "short_memory.h"
+#include "support/said.h"
+#include "support/short_memory.h"
 
 #include "unity.h"
 

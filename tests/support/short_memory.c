@@ -1,4 +1,4 @@
-#include "short_memory.h"
+#include "support/short_memory.h"
 
 #include <errno.h>
 #include <limits.h>

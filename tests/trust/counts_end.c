@@ -6,7 +6,7 @@
 
 #define _GNU_SOURCE /* RTLD_DEFAULT, setenv */
 
-#include "fault.h"
+#include "faults/fault.h"
 
 #include <dlfcn.h>
 #include <fcntl.h>

@@ -32,7 +32,7 @@ import time
 # What runs beyond an array, say, is noticed, as in CI's sanitizer build.
 FLAGS = "-O1 -fsanitize=undefined -fno-sanitize-recover=undefined"
 
-FOLDERS = ("src/lib", "src/program", "src/armtol")
+FOLDERS = ("src/lib", "src/console", "src/1987", "src/armtol")
 WANTED = 0.95
 TEST_SECONDS = 20
 SLOWER = 4 # where the machine is shared: no timeout before this many times what the unchanged tree takes
@@ -45,11 +45,12 @@ HEAVY = r"^(memcheck|build|fault|fuzz|machines|man)_|^(install|example.*|exports
 # Where a folder's mistakes show first; the tests of the file's own name go before these, all others after them.
 FIRST = {
     "src/lib": ("golden", "test_published", "test_errata_effects", "test_robots", "test_tool_error", "test_answer"),
-    "src/program": ("golden", "test_number", "test_options", "test_files", "test_armtol", "test_wrong_input", "test_faults"),
+    "src/console": ("golden", "test_number", "test_flags", "test_options", "test_armtol", "test_wrong_input"),
+    "src/1987": ("golden", "test_options", "test_files", "test_wrong_input", "test_terminal", "test_faults"),
     "src/armtol": ("golden", "test_answer", "test_armtol", "test_lists", "test_arm_file", "test_urdf", "test_verification"),
 }
 OWN = {
-    "allocation": "test_allocation", "arm": "test_arm|test_every_arm", "intelledex": "test_robots",
+    "optimum": "test_optimum", "center": "test_optimum", "factor": "test_optimum", "rows": "test_optimum", "arm": "test_arm|test_every_arm", "intelledex": "test_robots",
     "adept": "test_robots", "pose": "test_poses|test_tool_matrix", "sampler": "test_sampler",
     "sphere": "test_sphere", "corners": "test_corners", "tool_matrix": "test_tool_matrix",
     "quad": "test_poses", "lane": "test_poses", "sincos": "test_sampler|test_poses", "matrix_kernel": "test_sampler",
@@ -58,11 +59,11 @@ OWN = {
     "number": "test_number", "whole_number": "test_number|test_armtol", "dialogue": "test_terminal|test_wrong_input",
     "reader": "test_wrong_input|test_terminal", "session": "test_files", "report": "test_files", "help": "test_options",
     "analysis": "test_published|test_files", "table": "test_table", "message": "test_wrong_input",
-    "lists_": "test_lists", "cells": "test_lists|test_arm_file", "urdf": "test_urdf|test_urdf_memory",
+    "pose_lists": "test_lists", "parameter_lists": "test_lists", "cells": "test_lists|test_arm_file", "urdf": "test_urdf|test_urdf_memory",
     "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "weights": "test_answer",
-    "budget": "test_answer", "parts": "test_answer", "output_json": "armtol_json", "json": "armtol_json",
-    "number_list": "test_number_list", "text_": "test_armtol|test_arm_file", "output_": "test_armtol",
-    "cli_": "test_armtol", "degrees": "test_degrees", "progress": "test_verification",
+    "budget": "test_answer", "parts": "test_answer", "json": "armtol_json",
+    "number_list": "test_number_list", "text": "test_armtol|test_arm_file", "tell": "test_armtol",
+    "ask": "test_armtol", "degrees": "test_degrees", "progress": "test_progress|test_verification",
 }
 
 
@@ -230,10 +231,10 @@ class Tree:
         return subprocess.run(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL).returncode == 0
 
     def _own_tests(self, name):
-        stem = pathlib.Path(name).stem
+        parts = os.path.splitext(name)[0].split("/")
         wanted = {"test_" + stem}
         for start, pattern in OWN.items():
-            if stem.startswith(start) or (start in stem and start.endswith("kernel")):
+            if any(part.startswith(start) for part in parts) or (start in parts[-1] and start.endswith("kernel")):
                 wanted |= set(pattern.split("|"))
         return [t for t in self.tests if t in wanted]
 

@@ -1,8 +1,8 @@
-#ifndef ARMTOL_LIB_ARMS_H
-#define ARMTOL_LIB_ARMS_H
+#ifndef ARMTOL_LIB_ARMS_ARMS_H
+#define ARMTOL_LIB_ARMS_ARMS_H
 
 #include "armtol/arm.h"
-#include "../private_names.h"
+#include "lib/private_names.h"
 
 #include <math.h>
 

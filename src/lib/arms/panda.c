@@ -1,4 +1,4 @@
-#include "arms.h"
+#include "lib/arms/arms.h"
 
 /*
  * Published in Craig's order, where a and alpha are those of the link before: in Paul's they stand one row

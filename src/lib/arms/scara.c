@@ -1,4 +1,4 @@
-#include "arms.h"
+#include "lib/arms/arms.h"
 
 static const armtol_link links[] = {
     {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 325, .d = 387},

@@ -1,4 +1,4 @@
-#include "arms.h"
+#include "lib/arms/arms.h"
 
 static const armtol_link links[] = {
     {ARMTOL_NPR, ARMTOL_REVOLUTE, .alpha = QUARTER, .d = 162.5},

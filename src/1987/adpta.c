@@ -1,0 +1,8 @@
+/* adpta: how precisely the parts of an Adept AdeptOne have to be made (Hahn 1987). */
+
+#include "1987/program.h"
+
+int main(int argc, char *argv[])
+{
+    return program_main(argc, argv, &program_adpta);
+}

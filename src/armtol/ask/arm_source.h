@@ -1,0 +1,13 @@
+#ifndef ARMTOL_ASK_ARM_SOURCE_H
+#define ARMTOL_ASK_ARM_SOURCE_H
+
+#include "armtol/ask/options.h"
+#include "armtol/engine/arm_model.h"
+
+/*
+ * The arm of the command line: a built-in one of that name, else a file, which is a URDF where it begins with '<' and
+ * else a table. EXIT_OK, or an exit code after a message.
+ */
+int arm_source_read(const cli_options *options, arm_model *model);
+
+#endif

@@ -1,0 +1,41 @@
+#ifndef ARMTOL_ASK_LISTS_H
+#define ARMTOL_ASK_LISTS_H
+
+#include "armtol/error_matrix.h"
+#include "armtol/link.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/*
+ * Files of numbers in the user's units, read like the table of an arm: comments, CRLF, a byte order mark, columns set
+ * apart by commas, semicolons, tabs or blanks. False after a message with FILE:LINE:COLUMN.
+ */
+
+/*
+ * Joint values, one pose a line, n_joints values each; a file has one pose or more. *poses is the caller's to free,
+ * n_joints values a pose; NULL where the file was wrong.
+ */
+bool poses_read(FILE *stream, const char *path, size_t n_joints, double **poses, size_t *n_poses);
+
+/* What a file says of parameters: one value a column of A; the file has a head that names its columns. */
+typedef struct parameter_table {
+    const armtol_link *links;
+    const armtol_column *columns; /* of A */
+    size_t n_columns;
+    const char *value; /* the name of the column that is wanted: tolerance, weight */
+    bool all;          /* every parameter has to have a value; else what has none stays as it was */
+    const char *length_unit; /* what a column `unit`, where there is one, has to say of lengths, and of angles; */
+    const char *angle_unit;  /* NULL where values have no units */
+} parameter_table;
+
+/*
+ * Rows of link (its number from 0), parameter (theta, d, a, alpha, beta) and the wanted value; other columns are passed
+ * over. So `armtol --csv` can be read again. Values are greater than 0; "inf" or "-" is infinite where
+ * infinite_allowed. After a message values[] is of no use.
+ */
+bool parameters_read(FILE *stream, const char *path, const parameter_table *table, bool infinite_allowed,
+                     double values[]);
+
+#endif

@@ -1,0 +1,302 @@
+#include "armtol/ask/options.h"
+
+#include "armtol/ask/number_list.h"
+#include "console/exit_code.h"
+#include "console/flags.h"
+#include "console/message.h"
+#include "console/whole_number.h"
+
+#include <string.h>
+
+enum { MOST_THREADS = 1024 };
+#define DEFAULT_SIGMA 3.0
+#define DEFAULT_SEED 1987
+#define MOST_ARMS 1000000000000u
+
+enum {
+    OPTION_JOINTS = 256,
+    OPTION_POSES,
+    OPTION_ACCURACY,
+    OPTION_TOLERANCES,
+    OPTION_DEGREES,
+    OPTION_RADIANS,
+    OPTION_MM,
+    OPTION_METRES,
+    OPTION_TOOL_OFFSET,
+    OPTION_FRAME,
+    OPTION_METHOD,
+    OPTION_SIGMA,
+    OPTION_DELTA,
+    OPTION_WEIGHTS,
+    OPTION_BUDGET,
+    OPTION_VERIFY,
+    OPTION_SEED,
+    OPTION_THREADS,
+    OPTION_BASE,
+    OPTION_TIP,
+    OPTION_JSON,
+    OPTION_CSV,
+    OPTION_LIST,
+    OPTION_SHOW
+};
+
+static const struct option long_options[] = {
+    {"joints", required_argument, NULL, OPTION_JOINTS},
+    {"poses", required_argument, NULL, OPTION_POSES},
+    {"accuracy", required_argument, NULL, OPTION_ACCURACY},
+    {"tolerances", required_argument, NULL, OPTION_TOLERANCES},
+    {"degrees", no_argument, NULL, OPTION_DEGREES},
+    {"radians", no_argument, NULL, OPTION_RADIANS},
+    {"mm", no_argument, NULL, OPTION_MM},
+    {"metres", no_argument, NULL, OPTION_METRES},
+    {"tool-offset", required_argument, NULL, OPTION_TOOL_OFFSET},
+    {"frame", required_argument, NULL, OPTION_FRAME},
+    {"method", required_argument, NULL, OPTION_METHOD},
+    {"sigma", required_argument, NULL, OPTION_SIGMA},
+    {"delta", required_argument, NULL, OPTION_DELTA},
+    {"weights", required_argument, NULL, OPTION_WEIGHTS},
+    {"budget", no_argument, NULL, OPTION_BUDGET},
+    {"verify", required_argument, NULL, OPTION_VERIFY},
+    {"seed", required_argument, NULL, OPTION_SEED},
+    {"threads", required_argument, NULL, OPTION_THREADS},
+    {"base", required_argument, NULL, OPTION_BASE},
+    {"tip", required_argument, NULL, OPTION_TIP},
+    {"json", no_argument, NULL, OPTION_JSON},
+    {"csv", no_argument, NULL, OPTION_CSV},
+    {"list", no_argument, NULL, OPTION_LIST},
+    {"show", no_argument, NULL, OPTION_SHOW},
+    {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},
+    {NULL, 0, NULL, 0},
+};
+
+static const char *const method_names[METHOD_COUNT] = {"worst", "rss", "sphere"};
+static const char *const frame_names[ARMTOL_FRAME_COUNT] = {"base", "tool"};
+
+const char *method_name(method method)
+{
+    return method_names[method];
+}
+
+/* The place of a text among the names, or count after a message. */
+static size_t choose(const char *option, const char *text, const char *const names[], size_t count)
+{
+    char known[64] = "";
+    for (size_t i = 0; i < count; i++) {
+        if (strcmp(text, names[i]) == 0) {
+            return i;
+        }
+        strcat(known, i == 0 ? "" : i + 1 < count ? ", " : " or ");
+        strcat(known, names[i]);
+    }
+    message("%s: unknown %s %s; expected %s", option, option + 2, message_quote(text, &(quoted){""}), known);
+    return count;
+}
+
+static bool take_method(const char *text, method *method)
+{
+    const size_t i = choose("--method", text, method_names, METHOD_COUNT);
+    *method = (enum method)i;
+    return i < METHOD_COUNT;
+}
+
+static bool take_frame(const char *text, armtol_frame *frame)
+{
+    const size_t i = choose("--frame", text, frame_names, ARMTOL_FRAME_COUNT);
+    *frame = (armtol_frame)i;
+    return i < ARMTOL_FRAME_COUNT;
+}
+
+static bool take_threads(const char *text, size_t *threads)
+{
+    uint64_t value;
+    const bool fine = whole_number_parse("--threads", text, 1, MOST_THREADS, &value);
+    *threads = fine ? (size_t)value : 0;
+    return fine;
+}
+
+static bool take_format(output_format format, cli_options *options)
+{
+    if (options->format != OUTPUT_TEXT && options->format != format) {
+        message("--json and --csv exclude each other");
+        return false;
+    }
+    options->format = format;
+    return true;
+}
+
+static bool take_text(const char *argument, const char **text)
+{
+    *text = argument;
+    return true;
+}
+
+static bool take_units(unit_choice choice, const char *names, unit_choice *units)
+{
+    if (*units != UNITS_OF_ARM && *units != choice) {
+        message("%s exclude each other", names);
+        return false;
+    }
+    *units = choice;
+    return true;
+}
+
+static bool take_action(cli_action action, cli_options *options)
+{
+    options->action = action;
+    return true;
+}
+
+/* Options that say what is known and wanted. */
+static bool take_problem(int option, const char *argument, cli_options *options)
+{
+    switch (option) {
+    case OPTION_JOINTS:
+        return take_text(argument, &options->joints);
+    case OPTION_POSES:
+        return take_text(argument, &options->poses);
+    case OPTION_ACCURACY:
+        return take_text(argument, &options->accuracy);
+    case OPTION_TOLERANCES:
+        return take_text(argument, &options->tolerances);
+    case OPTION_TOOL_OFFSET:
+        return take_text(argument, &options->tool_offset);
+    case OPTION_WEIGHTS:
+        return take_text(argument, &options->weights);
+    case OPTION_DELTA:
+        return take_text(argument, &options->delta);
+    case OPTION_BASE:
+        return take_text(argument, &options->base);
+    case OPTION_TIP:
+        return take_text(argument, &options->tip);
+    case OPTION_FRAME:
+        return take_frame(argument, &options->frame);
+    case OPTION_METHOD:
+        return take_method(argument, &options->method);
+    default:
+        options->sigma_given = true;
+        return number_option_positive("--sigma", argument, &options->sigma);
+    }
+}
+
+/* Options that say what to do, and how to show it. */
+static bool take(int option, const char *argument, void *context)
+{
+    cli_options *options = context;
+    switch (option) {
+    case OPTION_DEGREES:
+        return take_units(UNITS_SMALL, "--degrees and --radians", &options->angle);
+    case OPTION_RADIANS:
+        return take_units(UNITS_LARGE, "--degrees and --radians", &options->angle);
+    case OPTION_MM:
+        return take_units(UNITS_SMALL, "--mm and --metres", &options->length);
+    case OPTION_METRES:
+        return take_units(UNITS_LARGE, "--mm and --metres", &options->length);
+    case OPTION_BUDGET:
+        return options->budget = true;
+    case OPTION_VERIFY:
+        return whole_number_parse("--verify", argument, 1, MOST_ARMS, &options->verify);
+    case OPTION_SEED:
+        options->seed_given = true;
+        return whole_number_parse("--seed", argument, 0, UINT64_MAX, &options->seed);
+    case OPTION_THREADS:
+        return take_threads(argument, &options->threads);
+    case OPTION_JSON:
+        return take_format(OUTPUT_JSON, options);
+    case OPTION_CSV:
+        return take_format(OUTPUT_CSV, options);
+    case OPTION_LIST:
+        return take_action(CLI_LIST, options);
+    case OPTION_SHOW:
+        return take_action(CLI_SHOW, options);
+    case 'h':
+        return take_action(CLI_HELP, options);
+    case 'V':
+        return take_action(CLI_VERSION, options);
+    default:
+        return take_problem(option, argument, options);
+    }
+}
+
+static bool take_arm(const char *argument, cli_options *options)
+{
+    if (options->arm != NULL) {
+        return flags_wrong("unexpected argument", argument);
+    }
+    options->arm = argument;
+    return true;
+}
+
+/* The arm may stand before, between and behind the options. */
+static bool read_all(int argc, char *argv[], cli_options *options)
+{
+    for (;;) {
+        if (!flags_read(argc, argv, "+:hV", long_options, take, options)) {
+            return false;
+        }
+        if (optind >= argc) {
+            return true;
+        }
+        if (!take_arm(argv[optind], options)) {
+            return false;
+        }
+        argc -= optind;
+        argv += optind; /* the arm is passed over like a program's name */
+        optind = 1;
+    }
+}
+
+/* What is missing, or contradicts itself, in a question; NULL where nothing is. */
+static const char *fault_of_question(const cli_options *options)
+{
+    if (options->joints == NULL && options->poses == NULL) {
+        return "the pose is missing; expected --joints Q or --poses FILE";
+    }
+    if (options->joints != NULL && options->poses != NULL) {
+        return "--joints and --poses exclude each other";
+    }
+    if (options->accuracy == NULL && options->tolerances == NULL) {
+        return "the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)";
+    }
+    if (options->weights != NULL && (options->tolerances != NULL || options->method == METHOD_SPHERE)) {
+        return "--weights is for the methods worst and rss";
+    }
+    if (options->delta != NULL && (options->tolerances != NULL || options->method != METHOD_SPHERE)) {
+        return "--delta is for --method sphere";
+    }
+    if (options->sigma_given && options->method != METHOD_RSS) {
+        return "--sigma is for --method rss";
+    }
+    if ((options->seed_given || options->threads != 0) && options->verify == 0) {
+        return "--seed and --threads are for --verify N";
+    }
+    if (options->format == OUTPUT_CSV && (options->budget || options->verify != 0)) {
+        return "--csv writes tolerances only; expected --json with --budget and --verify";
+    }
+    return NULL;
+}
+
+static const char *fault_of(const cli_options *options)
+{
+    if (options->action == CLI_LIST || options->action == CLI_HELP || options->action == CLI_VERSION) {
+        return NULL;
+    }
+    if (options->arm == NULL) {
+        return "the arm is missing; expected a name of --list or a file";
+    }
+    return options->action == CLI_SHOW ? NULL : fault_of_question(options);
+}
+
+int cli_options_parse(int argc, char *argv[], cli_options *options)
+{
+    *options = (cli_options){.sigma = DEFAULT_SIGMA, .seed = DEFAULT_SEED};
+    if (!read_all(argc, argv, options)) {
+        return EXIT_WRONG;
+    }
+    const char *fault = fault_of(options);
+    if (fault != NULL) {
+        message("%s", fault);
+        return EXIT_WRONG;
+    }
+    return EXIT_OK;
+}

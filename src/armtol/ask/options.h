@@ -1,0 +1,53 @@
+#ifndef ARMTOL_ASK_OPTIONS_H
+#define ARMTOL_ASK_OPTIONS_H
+
+#include "armtol/tool_point.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_HELP, CLI_VERSION } cli_action;
+
+typedef enum method { METHOD_WORST, METHOD_RSS, METHOD_SPHERE, METHOD_COUNT } method;
+
+typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
+
+typedef enum unit_choice { UNITS_OF_ARM, UNITS_SMALL, UNITS_LARGE } unit_choice;
+
+/* The command line. Texts are as typed: what they mean depends on the arm. NULL where not given. */
+typedef struct cli_options {
+    cli_action action;
+    const char *arm;         /* a built-in arm's name, or a file */
+    const char *base, *tip;  /* of a URDF */
+    const char *joints;
+    const char *poses;
+    const char *accuracy;
+    const char *tool_offset;
+    const char *weights;
+    const char *delta;
+    const char *tolerances;
+    armtol_frame frame;
+    unit_choice length; /* small: mm, large: m */
+    unit_choice angle;  /* small: degrees, large: radians */
+    method method;
+    double sigma; /* standard deviations */
+    bool sigma_given;
+    bool budget;
+    uint64_t verify; /* arms to draw, 0 for none */
+    uint64_t seed;
+    bool seed_given;
+    size_t threads; /* 0: as many as there are processors */
+    output_format format;
+} cli_options;
+
+/* "worst", "rss", "sphere". */
+const char *method_name(method method);
+
+/* EXIT_OK, or EXIT_WRONG after a message. */
+int cli_options_parse(int argc, char *argv[], cli_options *options);
+
+/* What --help prints on standard output. */
+void cli_help(void);
+
+#endif

@@ -1,0 +1,106 @@
+#include "armtol/ask/lists.h"
+
+#include "armtol/tables/cells.h"
+#include "console/exit_code.h"
+#include "console/file_message.h"
+#include "console/message.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+enum { MOST_POSES = 1000000 }; /* a pipe may have no end */
+
+/* The poses read so far. */
+typedef struct pose_list {
+    size_t n_joints;
+    size_t n;
+    size_t capacity; /* poses */
+    double *values;
+} pose_list;
+
+static bool grow(pose_list *list)
+{
+    if (list->n < list->capacity) {
+        return true;
+    }
+    const size_t capacity = list->capacity > 0 ? 2 * list->capacity : 16;
+    const bool countable = capacity <= SIZE_MAX / sizeof *list->values / (list->n_joints + 1);
+    double *grown = countable ? realloc(list->values, capacity * list->n_joints * sizeof *grown) : NULL;
+    if (grown == NULL) {
+        out_of_memory();
+        return false;
+    }
+    list->values = grown;
+    list->capacity = capacity;
+    return true;
+}
+
+static bool check_count(const cell_row *row, size_t n_joints)
+{
+    if (row->n != n_joints) {
+        const size_t wrong = row->n < n_joints ? row->n : n_joints;
+        cells_message(row, wrong, "%zu value%s; expected %zu, one for each joint", row->n, row->n == 1 ? "" : "s",
+                      n_joints);
+    }
+    return row->n == n_joints;
+}
+
+static bool take_pose(pose_list *list, const cell_row *row)
+{
+    if (list->n == MOST_POSES) {
+        cells_message(row, 0, "more than %d poses", MOST_POSES);
+        return false;
+    }
+    if (!check_count(row, list->n_joints) || !grow(list)) {
+        return false;
+    }
+    for (size_t i = 0; i < row->n; i++) {
+        cell_number number;
+        const number_fault fault = cells_number(row, i, &number);
+        if (fault != NUMBER_FINE) {
+            cells_message(row, i, "%s %s; expected the values of %zu joint%s",
+                          message_quote(row->cells[i].text, &(quoted){""}), number_fault_text(fault), list->n_joints,
+                          list->n_joints == 1 ? "" : "s");
+            return false;
+        }
+        list->values[list->n * list->n_joints + i] = number.value;
+    }
+    list->n++;
+    return true;
+}
+
+static bool read_all(pose_list *list, text_lines *lines, cell_row *row)
+{
+    for (;;) {
+        const line_result result = cells_next(row, lines, CELLS_ANY);
+        if (result == LINE_NONE && list->n == 0) {
+            message("%s: no poses; expected a line of %zu joint values for each", lines->path, list->n_joints);
+            return false;
+        }
+        if (result != LINE_THERE) {
+            return result == LINE_NONE;
+        }
+        if (!take_pose(list, row)) {
+            return false;
+        }
+    }
+}
+
+bool poses_read(FILE *stream, const char *path, size_t n_joints, double **poses, size_t *n_poses)
+{
+    pose_list list = {.n_joints = n_joints};
+    text_lines lines;
+    cell_row row;
+    text_lines_start(&lines, stream, path);
+    cells_start(&row);
+    const bool fine = read_all(&list, &lines, &row);
+    text_lines_free(&lines);
+    cells_free(&row);
+    if (!fine) {
+        free(list.values);
+        list = (pose_list){.n_joints = n_joints};
+    }
+    *poses = list.values;
+    *n_poses = list.n;
+    return fine;
+}

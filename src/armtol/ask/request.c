@@ -1,0 +1,260 @@
+#include "armtol/ask/request.h"
+
+#include "armtol/ask/lists.h"
+#include "armtol/ask/number_list.h"
+#include "armtol/ask/weights.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+#include "console/number.h"
+
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static units units_of(const cli_options *options, const arm_model *model)
+{
+    units units = {model->arm.unit, model->arm.unit, model->angle_unit};
+    if (options->length != UNITS_OF_ARM) {
+        units.length = options->length == UNITS_SMALL ? ARMTOL_MILLIMETRE : ARMTOL_METRE;
+    }
+    if (options->angle != UNITS_OF_ARM) {
+        units.angle = options->angle == UNITS_SMALL ? UNIT_DEGREE : UNIT_RADIAN;
+    }
+    return units;
+}
+
+/* ---- poses ---- */
+
+static const char *joint_text(const units *units, const armtol_link *link, double value, number_text *text)
+{
+    return number_shortest(units_shown(units, link->joint == ARMTOL_PRISMATIC, value), &armtol_errata_none, text);
+}
+
+static double size_of_end(double end)
+{
+    return isinf(end) ? 0 : fabs(end);
+}
+
+static bool check_limits(const units *units, const armtol_arm *arm, size_t link, size_t joint, size_t pose, double q)
+{
+    const armtol_drive *drive = &arm->drives[link];
+    const double slack = 1e-9 * fmax(size_of_end(drive->low), size_of_end(drive->high)); /* limits are rounded too */
+    if (q < drive->low - slack || q > drive->high + slack) {
+        message("pose %zu, joint %zu: %s is beyond its limits; expected %s to %s %s", pose + 1, joint + 1,
+                joint_text(units, &arm->links[link], q, &(number_text){""}),
+                joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
+                joint_text(units, &arm->links[link], drive->high, &(number_text){""}),
+                units_name(units, arm->links[link].joint == ARMTOL_PRISMATIC));
+        return false;
+    }
+    return true;
+}
+
+/* From the user's units to inside ones, each value within its joint's limits. */
+static bool take_pose(const units *units, const armtol_arm *arm, size_t pose, double q[])
+{
+    size_t joint = 0;
+    for (size_t i = 0; i < arm->n_links; i++) {
+        const armtol_joint moved = arm->links[i].joint;
+        if (moved != ARMTOL_FIXED) {
+            q[joint] = units_taken(units, moved == ARMTOL_PRISMATIC, q[joint]);
+            if (!check_limits(units, arm, i, joint, pose, q[joint])) {
+                return false;
+            }
+            joint++;
+        }
+    }
+    return true;
+}
+
+static bool read_poses(const char *path, size_t n_joints, double **poses, size_t *n_poses)
+{
+    FILE *stream = fopen(path, "rb");
+    if (stream == NULL) {
+        exit_code_note_error(errno);
+        message("--poses: %s: %s", path, strerror(errno));
+        return false;
+    }
+    const bool fine = poses_read(stream, path, n_joints, poses, n_poses);
+    fclose(stream);
+    return fine;
+}
+
+static bool parse_joints(const char *text, const armtol_arm *arm, size_t n_joints, double **poses, size_t *n_poses)
+{
+    char what[64];
+    *n_poses = 1;
+    *poses = calloc(n_joints + 1, sizeof **poses);
+    if (*poses == NULL) {
+        out_of_memory();
+        return false;
+    }
+    snprintf(what, sizeof what, "a value for each joint of %.20s", arm->name);
+    if (number_list_parse("--joints", text, what, false, n_joints, *poses)) {
+        return true;
+    }
+    free(*poses);
+    return false;
+}
+
+static bool get_poses(const cli_options *options, const armtol_arm *arm, double **poses, size_t *n_poses)
+{
+    const size_t n_joints = armtol_joint_count(arm->links, arm->n_links);
+    return options->poses != NULL ? read_poses(options->poses, n_joints, poses, n_poses)
+                                  : parse_joints(options->joints, arm, n_joints, poses, n_poses);
+}
+
+static bool take_tool(const cli_options *options, const units *units, armtol_tool_point *tool)
+{
+    *tool = (armtol_tool_point){{0, 0, 0}, options->frame};
+    if (options->tool_offset != NULL &&
+        !number_list_parse("--tool-offset", options->tool_offset, "x,y,z", false, 3, tool->offset)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        tool->offset[i] = units_taken(units, true, tool->offset[i]);
+    }
+    return true;
+}
+
+static bool pose_arm(request *request, const arm_model *model)
+{
+    double *poses;
+    size_t n_poses;
+    armtol_tool_point tool;
+    const armtol_arm *arm = &model->arm;
+    if (!take_tool(request->options, &request->units, &tool) || !get_poses(request->options, arm, &poses, &n_poses)) {
+        return false;
+    }
+    const size_t n_joints = armtol_joint_count(arm->links, arm->n_links);
+    bool fine = true;
+    for (size_t pose = 0; pose < n_poses && fine; pose++) {
+        fine = take_pose(&request->units, arm, pose, poses + pose * n_joints);
+    }
+    fine = fine && posed_arm_make(&request->posed, arm, &tool, poses, n_poses);
+    free(poses);
+    return fine;
+}
+
+/* ---- wishes ---- */
+
+/* From the user's units to inside ones; false where no double holds a finite value there. */
+static bool take_value(const units *units, bool is_length, double *value)
+{
+    const double given = *value;
+    *value = units_taken(units, is_length, given);
+    return isinf(given) || !isinf(*value);
+}
+
+static bool take_accuracy(request *request)
+{
+    const char *text = request->options->accuracy;
+    bool bounded = false;
+    request->wished = text != NULL;
+    if (text == NULL) {
+        return true;
+    }
+    if (!number_list_parse("--accuracy", text, "dx,dy,dz,wx,wy,wz", true, 6, request->accuracy)) {
+        return false;
+    }
+    for (int i = 0; i < 6; i++) {
+        const bool positive = request->accuracy[i] > 0;
+        bounded = bounded || isfinite(request->accuracy[i]);
+        if (!positive || !take_value(&request->units, i < 3, &request->accuracy[i])) {
+            message("--accuracy: component %d is %s; expected six values > 0, or - for free ones", i + 1,
+                    positive ? "too large" : "not greater than zero");
+            return false;
+        }
+    }
+    if (!bounded) {
+        message("--accuracy: all components are free; expected at least one number");
+    }
+    return bounded;
+}
+
+static bool take_delta(request *request)
+{
+    const char *text = request->options->delta;
+    request->delta = (double)NAN;
+    if (text == NULL) {
+        return true;
+    }
+    const bool fine = number_option_positive("--delta", text, &request->delta);
+    request->delta = units_taken(&request->units, true, request->delta);
+    return fine;
+}
+
+static bool take_tolerances(request *request, const char *path)
+{
+    const posed_arm *posed = &request->posed;
+    for (size_t k = 0; k < posed->n_columns; k++) {
+        const armtol_column *column = &posed->columns[k];
+        const bool is_length = armtol_parameter_is_length(column->parameter);
+        if (!take_value(&request->units, is_length, &request->tolerances[k])) {
+            message("--tolerances: %s: %s of link %zu: the tolerance is too large", path,
+                    armtol_parameter_name(column->parameter), column->link);
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool read_tolerances(request *request)
+{
+    const posed_arm *posed = &request->posed;
+    const char *path = request->options->tolerances;
+    const parameter_table table = {.links = posed->arm->links,
+                                   .columns = posed->columns,
+                                   .n_columns = posed->n_columns,
+                                   .value = "tolerance",
+                                   .all = true,
+                                   .length_unit = units_name(&request->units, true),
+                                   .angle_unit = units_name(&request->units, false)};
+    FILE *stream = fopen(path, "rb");
+    if (stream == NULL) {
+        exit_code_note_error(errno);
+        message("--tolerances: %s: %s", path, strerror(errno));
+        return false;
+    }
+    const bool fine = parameters_read(stream, path, &table, true, request->tolerances);
+    fclose(stream);
+    return fine && take_tolerances(request, path);
+}
+
+static int take_values(request *request)
+{
+    const size_t n = request->posed.n_columns;
+    const bool given = request->options->tolerances != NULL;
+    request->weights = calloc(n, sizeof *request->weights);
+    request->tolerances = given ? calloc(n, sizeof *request->tolerances) : NULL;
+    if (request->weights == NULL || (given && request->tolerances == NULL)) {
+        out_of_memory();
+        return EXIT_FAILED;
+    }
+    const bool fine = take_accuracy(request) && take_delta(request) &&
+                      weights_parse(request->options->weights, &request->posed, request->weights) &&
+                      (!given || read_tolerances(request));
+    return fine ? EXIT_OK : EXIT_WRONG;
+}
+
+int request_make(request *request, const cli_options *options, const arm_model *model)
+{
+    *request = (struct request){.options = options, .units = units_of(options, model)};
+    if (!pose_arm(request, model)) {
+        return EXIT_WRONG;
+    }
+    const int code = take_values(request);
+    if (code != EXIT_OK) {
+        request_free(request);
+    }
+    return code;
+}
+
+void request_free(request *request)
+{
+    posed_arm_free(&request->posed);
+    free(request->weights);
+    free(request->tolerances);
+}

@@ -1,0 +1,164 @@
+#include "armtol/ask/weights.h"
+
+#include "armtol/ask/lists.h"
+#include "armtol/ask/number_list.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+
+enum { WORD = 64, ANY_LINK = -1, LINK_DIGITS = 6 };
+
+typedef bool belongs(const posed_arm *posed, size_t column);
+
+static bool is_length(const posed_arm *posed, size_t column)
+{
+    return armtol_parameter_is_length(posed->columns[column].parameter);
+}
+
+static bool is_angle(const posed_arm *posed, size_t column)
+{
+    return !is_length(posed, column);
+}
+
+static bool is_machined(const posed_arm *posed, size_t column)
+{
+    return !posed_arm_is_motor(posed, column);
+}
+
+/* The class of that name; NULL where it is none. */
+static belongs *class_of(const char *name)
+{
+    static const struct {
+        const char *name;
+        belongs *belongs;
+    } classes[] = {
+        {"lengths", is_length}, {"angles", is_angle}, {"motors", posed_arm_is_motor}, {"machining", is_machined}};
+    for (size_t i = 0; i < sizeof classes / sizeof classes[0]; i++) {
+        if (strcmp(name, classes[i].name) == 0) {
+            return classes[i].belongs;
+        }
+    }
+    return NULL;
+}
+
+static bool is_parameter(const char *name)
+{
+    for (int i = 0; i < ARMTOL_PARAMETER_COUNT; i++) {
+        if (strcmp(name, armtol_parameter_name((armtol_parameter)i)) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Takes "3." off the front of a name. */
+static long link_of(const char **name)
+{
+    const size_t length = strspn(*name, "0123456789");
+    if (length == 0 || length > LINK_DIGITS || (*name)[length] != '.') {
+        return ANY_LINK;
+    }
+    long link = 0;
+    for (size_t i = 0; i < length; i++) {
+        link = 10 * link + ((*name)[i] - '0');
+    }
+    *name += length + 1;
+    return link;
+}
+
+static bool is_named(const posed_arm *posed, size_t column, long link, const char *name)
+{
+    const armtol_column *at = &posed->columns[column];
+    belongs *of_class = class_of(name);
+    return (link == ANY_LINK || (size_t)link == at->link) &&
+           (of_class != NULL ? of_class(posed, column) : strcmp(name, armtol_parameter_name(at->parameter)) == 0);
+}
+
+static bool set(const char *name, double weight, const posed_arm *posed, double weights[])
+{
+    const char *whole = name;
+    const long link = link_of(&name);
+    if (class_of(name) == NULL && !is_parameter(name)) {
+        message("--weights: unknown name %s; expected theta, d, a, alpha, beta, lengths, angles, motors or machining, "
+                "or one of these of a link, as in 3.alpha",
+                message_quote(whole, &(quoted){""}));
+        return false;
+    }
+    bool any = false;
+    for (size_t k = 0; k < posed->n_columns; k++) {
+        if (is_named(posed, k, link, name)) {
+            weights[k] = weight;
+            any = true;
+        }
+    }
+    if (!any) {
+        message("--weights: %s has no parameter %s", posed->arm->name, message_quote(whole, &(quoted){""}));
+    }
+    return any;
+}
+
+/* One NAME=NUMBER. */
+static bool take_item(const char *item, size_t length, const posed_arm *posed, double weights[])
+{
+    char word[WORD];
+    double weight;
+    const size_t kept = length < WORD ? length : WORD - 1;
+    memcpy(word, item, kept);
+    word[kept] = '\0';
+    if (kept < length) {
+        message("--weights: %s is too long", message_quote(word, &(quoted){""}));
+        return false;
+    }
+    char *equals = strchr(word, '=');
+    if (equals == NULL) {
+        message("--weights: %s is no NAME=NUMBER", message_quote(word, &(quoted){""}));
+        return false;
+    }
+    *equals = '\0';
+    return number_option_positive("--weights", equals + 1, &weight) && set(word, weight, posed, weights);
+}
+
+static bool take_list(const char *text, const posed_arm *posed, double weights[])
+{
+    for (;;) {
+        const size_t length = strcspn(text, ",");
+        if (!take_item(text, length, posed, weights)) {
+            return false;
+        }
+        if (text[length] == '\0') {
+            return true;
+        }
+        text += length + 1;
+    }
+}
+
+static bool take_table(const char *path, const posed_arm *posed, double weights[])
+{
+    const parameter_table table = {.links = posed->arm->links,
+                                   .columns = posed->columns,
+                                   .n_columns = posed->n_columns,
+                                   .value = "weight"};
+    FILE *stream = fopen(path, "rb");
+    if (stream == NULL) {
+        exit_code_note_error(errno);
+        message("--weights: %s: %s; expected NAME=NUMBER,... or a file", path, strerror(errno));
+        return false;
+    }
+    const bool fine = parameters_read(stream, path, &table, false, weights);
+    fclose(stream);
+    return fine;
+}
+
+bool weights_parse(const char *text, const posed_arm *posed, double weights[])
+{
+    for (size_t k = 0; k < posed->n_columns; k++) {
+        weights[k] = 1;
+    }
+    if (text == NULL) {
+        return true;
+    }
+    return strchr(text, '=') != NULL ? take_list(text, posed, weights) : take_table(text, posed, weights);
+}

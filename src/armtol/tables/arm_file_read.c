@@ -1,0 +1,185 @@
+#include "armtol/tables/arm_file.h"
+
+#include "armtol/tables/arm_head.h"
+#include "armtol/tables/arm_row.h"
+#include "armtol/tables/arm_table.h"
+#include "armtol/tables/cells.h"
+#include "console/exit_code.h"
+#include "console/file_message.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_LINKS = 1000 };
+
+static const char expected_head[] = "expected a row of names: joint, a, alpha, d, theta and, as needed, kind, beta, "
+                                    "low, high, backlash, compliance, moment";
+
+/* All that is at work while a file is read. */
+typedef struct arm_reader {
+    text_lines lines;
+    cell_row row;
+    arm_head head;
+    arm_columns columns;
+    size_t n_links;
+    size_t capacity;
+    armtol_link *links;
+    armtol_drive *drives;
+} arm_reader;
+
+static void start(arm_reader *reader, FILE *stream, const char *path)
+{
+    *reader = (arm_reader){.n_links = 0};
+    text_lines_start(&reader->lines, stream, path);
+    cells_start(&reader->row);
+    arm_head_start(&reader->head);
+}
+
+static void end(arm_reader *reader)
+{
+    text_lines_free(&reader->lines);
+    cells_free(&reader->row);
+    arm_head_free(&reader->head);
+    free(reader->links);
+    free(reader->drives);
+}
+
+static bool fail_at_line(const arm_reader *reader, const char *fault, const char *expected)
+{
+    const size_t line = reader->lines.number > 0 ? reader->lines.number : 1;
+    const file_place place = {reader->lines.path, line, 1};
+    file_message(&place, "%s; %s", fault, expected);
+    return false;
+}
+
+/* Up to the head row, which is then in the reader's row. */
+static bool read_head(arm_reader *reader)
+{
+    for (;;) {
+        switch (text_lines_next(&reader->lines)) {
+        case LINE_NONE:
+            return fail_at_line(reader, "the file ends before a table of links", expected_head);
+        case LINE_WRONG:
+            return false;
+        case LINE_THERE:
+            break;
+        }
+        switch (arm_head_take(&reader->head, &reader->lines, &reader->row)) {
+        case HEAD_WRONG:
+            return false;
+        case HEAD_ENDS:
+            if (reader->row.n > 0) {
+                return true;
+            }
+            break;
+        case HEAD_TAKEN:
+            break;
+        }
+    }
+}
+
+/* Room for one link more. */
+static bool grow(arm_reader *reader)
+{
+    if (reader->n_links < reader->capacity) {
+        return true;
+    }
+    const size_t capacity = reader->capacity > 0 ? 2 * reader->capacity : 8;
+    armtol_link *links = realloc(reader->links, capacity * sizeof *links);
+    reader->links = links != NULL ? links : reader->links;
+    armtol_drive *drives = realloc(reader->drives, capacity * sizeof *drives);
+    reader->drives = drives != NULL ? drives : reader->drives;
+    if (links == NULL || drives == NULL) {
+        out_of_memory();
+        return false;
+    }
+    reader->capacity = capacity;
+    return true;
+}
+
+static bool take_row(arm_reader *reader)
+{
+    if (reader->n_links == MOST_LINKS) {
+        cells_message(&reader->row, 0, "more than %d links", MOST_LINKS);
+        return false;
+    }
+    if (!grow(reader) || !arm_row_read(&reader->row, &reader->columns, reader->head.angle_unit,
+                                       &reader->links[reader->n_links], &reader->drives[reader->n_links])) {
+        return false;
+    }
+    reader->n_links++;
+    return true;
+}
+
+static bool read_table(arm_reader *reader)
+{
+    if (!arm_columns_read(&reader->columns, &reader->row)) {
+        return false;
+    }
+    if (!reader->head.has_units) {
+        return fail_at_line(reader, "no units above the table",
+                            "expected a line \"units: mm deg\" (mm or m, deg or rad)");
+    }
+    const char separator = reader->row.separator;
+    for (;;) {
+        const line_result result = cells_next(&reader->row, &reader->lines, separator);
+        if (result == LINE_NONE && reader->n_links == 0) {
+            return fail_at_line(reader, "the table has no links", "expected a row for each");
+        }
+        if (result != LINE_THERE) {
+            return result == LINE_NONE;
+        }
+        if (!take_row(reader)) {
+            return false;
+        }
+    }
+}
+
+/* The file's name without folders and extension, for an arm that has no other; false where memory is short. */
+static bool name_after_file(arm_reader *reader)
+{
+    if (reader->head.texts[TEXT_NAME] != NULL) {
+        return true;
+    }
+    const char *slash = strrchr(reader->lines.path, '/');
+    char *name = strdup(slash != NULL ? slash + 1 : reader->lines.path);
+    if (name == NULL) {
+        out_of_memory();
+        return false;
+    }
+    char *dot = strrchr(name, '.');
+    if (dot != NULL && dot != name) {
+        *dot = '\0';
+    }
+    text_make_printable(name);
+    reader->head.texts[TEXT_NAME] = name;
+    return true;
+}
+
+static bool make_model(arm_reader *reader, arm_model *model)
+{
+    char *const *texts = reader->head.texts;
+    if (!name_after_file(reader)) {
+        return false;
+    }
+    const armtol_arm arm = {
+        .name = texts[TEXT_NAME],
+        .title = texts[TEXT_TITLE] != NULL ? texts[TEXT_TITLE] : texts[TEXT_NAME],
+        .source = texts[TEXT_SOURCE] != NULL ? texts[TEXT_SOURCE] : "not given",
+        .unit = reader->head.length_unit,
+        .n_links = reader->n_links,
+        .links = reader->links,
+        .drives = reader->drives,
+    };
+    return arm_model_make(model, &arm, reader->head.angle_unit);
+}
+
+bool arm_file_read(FILE *stream, const char *path, arm_model *model)
+{
+    arm_reader reader;
+    *model = (arm_model){.arm = {.name = NULL}};
+    start(&reader, stream, path);
+    const bool fine = read_head(&reader) && read_table(&reader) && make_model(&reader, model);
+    end(&reader);
+    return fine;
+}

@@ -1,0 +1,13 @@
+#ifndef ARMTOL_TABLES_ARM_ROW_H
+#define ARMTOL_TABLES_ARM_ROW_H
+
+#include "armtol/engine/arm_model.h"
+#include "armtol/tables/arm_table.h"
+
+#include <stdbool.h>
+
+/* A row of an arm's table below its head row. False after a message. */
+bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, armtol_link *link,
+                  armtol_drive *drive);
+
+#endif

@@ -1,0 +1,35 @@
+#ifndef ARMTOL_TELL_FINDINGS_H
+#define ARMTOL_TELL_FINDINGS_H
+
+#include "armtol/ask/request.h"
+#include "armtol/engine/answer.h"
+#include "armtol/engine/budget.h"
+#include "armtol/engine/verification.h"
+
+/* All that there is to tell. NULL for what was not asked for. */
+typedef struct findings {
+    const request *request;
+    const answer *answer;
+    const budget *budget;
+    const verification *verification;
+} findings;
+
+/* The components of the tool's error: "dx" and so on; the first three are lengths. */
+extern const char *const component_names[6];
+
+/* One parameter of one link, in the user's units. */
+typedef struct parameter_row {
+    size_t link;
+    const char *kind, *parameter;
+    const char *role; /* "motor" or "machining" */
+    const char *unit;
+    double nominal;   /* in the pose; of several poses, at joint value 0 */
+    double tolerance; /* infinity for one that does not matter */
+} parameter_row;
+
+parameter_row findings_parameter(const findings *findings, size_t column);
+
+/* A component's number in the user's units. */
+double findings_shown(const findings *findings, size_t component, double value);
+
+#endif

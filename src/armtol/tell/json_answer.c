@@ -1,0 +1,206 @@
+#include "armtol/tell/output.h"
+
+#include "armtol/tell/json.h"
+
+#include <math.h>
+#include <stdio.h>
+
+/* docs/json.md describes what is written here; names and meanings stay, new ones may come. */
+
+static void write_arm(json *json, const findings *findings)
+{
+    const armtol_arm *arm = findings->request->posed.arm;
+    const units *units = &findings->request->units;
+    json_open_object(json, "arm");
+    json_text(json, "name", arm->name);
+    json_text(json, "title", arm->title);
+    json_text(json, "source", arm->source);
+    json_count(json, "links", arm->n_links);
+    json_count(json, "joints", findings->request->posed.n_joints);
+    json_close_object(json);
+    json_open_object(json, "units");
+    json_text(json, "length", units_name(units, true));
+    json_text(json, "angle", units_name(units, false));
+    json_close_object(json);
+}
+
+static void write_poses(json *json, const findings *findings)
+{
+    const posed_arm *posed = &findings->request->posed;
+    const units *units = &findings->request->units;
+    json_open_array(json, "poses");
+    for (size_t pose = 0; pose < posed->n_poses; pose++) {
+        const double *q = posed->q + pose * posed->n_joints;
+        double point[3];
+        size_t joint = 0;
+        posed_arm_tool(posed, pose, point);
+        json_open_object(json, NULL);
+        json_open_array(json, "joints");
+        for (size_t i = 0; i < posed->n_links; i++) {
+            const armtol_joint moved = posed->links[i].joint;
+            if (moved != ARMTOL_FIXED) {
+                json_number(json, NULL, units_shown(units, moved == ARMTOL_PRISMATIC, q[joint++]));
+            }
+        }
+        json_close_array(json);
+        for (int i = 0; i < 3; i++) {
+            point[i] = units_shown(units, true, point[i]);
+        }
+        json_numbers(json, "tool", point, 3);
+        json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+static void write_method(json *json, const findings *findings)
+{
+    const cli_options *options = findings->request->options;
+    const answer *answer = findings->answer;
+    if (findings->request->tolerances != NULL) {
+        json_text(json, "method", "given");
+        return;
+    }
+    json_text(json, "method", method_name(options->method));
+    if (options->method == METHOD_RSS) {
+        json_number(json, "sigma", options->sigma);
+    }
+    if (options->method == METHOD_SPHERE) {
+        json_number(json, "delta", units_shown(&findings->request->units, true, answer->delta));
+        json_number(json, "distance_bound", units_shown(&findings->request->units, true, answer->bounds.distance));
+        json_number(json, "angle_bound", units_shown(&findings->request->units, false, answer->bounds.angle));
+    }
+}
+
+static void write_parameters(json *json, const findings *findings)
+{
+    json_open_array(json, "parameters");
+    for (size_t k = 0; k < findings->request->posed.n_columns; k++) {
+        const parameter_row row = findings_parameter(findings, k);
+        json_open_object(json, NULL);
+        json_count(json, "link", row.link);
+        json_text(json, "kind", row.kind);
+        json_text(json, "parameter", row.parameter);
+        json_text(json, "role", row.role);
+        json_text(json, "unit", row.unit);
+        json_number(json, "nominal", row.nominal);
+        json_number(json, "tolerance", row.tolerance);
+        json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+static void write_parts(json *json, const findings *findings)
+{
+    const posed_arm *posed = &findings->request->posed;
+    const units *units = &findings->request->units;
+    json_open_array(json, "parts");
+    for (size_t i = 0; i < posed->n_links; i++) {
+        const part *part = &findings->answer->parts[i];
+        const bool slides = posed->links[i].joint == ARMTOL_PRISMATIC;
+        json_open_object(json, NULL);
+        json_count(json, "link", i);
+        json_number(json, "distance", units_shown(units, true, part->distance));
+        json_number(json, "angle", units_shown(units, false, part->angle));
+        json_number(json, "motor", units_shown(units, slides, part->motor));
+        json_number(json, "drive", units_shown(units, slides, part->drive));
+        json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+static void write_components(json *json, const findings *findings)
+{
+    const request *request = findings->request;
+    json_open_array(json, "components");
+    for (size_t i = 0; i < 6; i++) {
+        const predicted *component = &findings->answer->components[i];
+        json_open_object(json, NULL);
+        json_text(json, "name", component_names[i]);
+        json_number(json, "accuracy", request->wished ? findings_shown(findings, i, request->accuracy[i]) : (double)NAN);
+        json_number(json, "worst_case", findings_shown(findings, i, component->worst));
+        json_number(json, "standard_deviation", findings_shown(findings, i, component->deviation));
+        json_number(json, "remainder", findings_shown(findings, i, component->remainder));
+        json_number(json, "binds", component->binds);
+        json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+static void write_budget(json *json, const budget *budget)
+{
+    json_open_array(json, "budget");
+    for (size_t i = 0; i < budget->n_rows; i++) {
+        const budget_row *row = &budget->rows[i];
+        json_open_object(json, NULL);
+        json_count(json, "link", row->link);
+        json_text(json, "role", row->motor ? "motor" : "machining");
+        json_numbers(json, "shares", row->shares, 6);
+        json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+static void write_verified(json *json, const findings *findings, size_t i)
+{
+    const verified_component *component = &findings->verification->components[i];
+    double quantiles[VERIFICATION_QUANTILES];
+    for (int j = 0; j < VERIFICATION_QUANTILES; j++) {
+        quantiles[j] = findings_shown(findings, i, component->quantiles[j]);
+    }
+    json_open_object(json, NULL);
+    json_text(json, "name", component_names[i]);
+    json_number(json, "prediction", findings_shown(findings, i, component->prediction));
+    json_number(json, "remainder", findings_shown(findings, i, component->remainder));
+    json_numbers(json, "quantiles", quantiles, VERIFICATION_QUANTILES);
+    json_number(json, "worst_drawn", findings_shown(findings, i, component->worst_drawn));
+    if (isnan(component->worst_drawn)) {
+        json_number(json, "worst_arm", (double)NAN);
+    } else {
+        json_count(json, "worst_arm", component->worst_arm);
+    }
+    json_number(json, "worst_corner", findings_shown(findings, i, component->worst_corner));
+    json_close_object(json);
+}
+
+static void write_verification(json *json, const findings *findings)
+{
+    const verification *found = findings->verification;
+    const cli_options *options = findings->request->options;
+    json_open_object(json, "verification");
+    json_count(json, "asked", options->verify);
+    json_count(json, "drawn", found->drawn);
+    json_count(json, "seed", options->seed);
+    json_count(json, "within", found->within);
+    json_count(json, "beyond", found->beyond);
+    json_numbers(json, "share_95", (const double[]){found->share_low, found->share_high}, 2);
+    json_numbers(json, "probabilities", verification_quantiles, VERIFICATION_QUANTILES);
+    json_open_array(json, "components");
+    for (size_t i = 0; i < 6; i++) {
+        write_verified(json, findings, i);
+    }
+    json_close_array(json);
+    json_close_object(json);
+}
+
+bool output_json(const findings *findings)
+{
+    const cli_options *options = findings->request->options;
+    json json;
+    json_start(&json, stdout);
+    json_text(&json, "armtol", armtol_version());
+    write_arm(&json, findings);
+    write_method(&json, findings);
+    json_text(&json, "frame", options->frame == ARMTOL_TOOL_FRAME ? "tool" : "base");
+    write_poses(&json, findings);
+    write_parameters(&json, findings);
+    write_parts(&json, findings);
+    write_components(&json, findings);
+    if (findings->budget != NULL) {
+        write_budget(&json, findings->budget);
+    }
+    if (findings->verification != NULL) {
+        write_verification(&json, findings);
+    }
+    json_end(&json);
+    return true;
+}

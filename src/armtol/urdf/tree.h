@@ -1,0 +1,73 @@
+#ifndef ARMTOL_URDF_TREE_H
+#define ARMTOL_URDF_TREE_H
+
+#include "console/file_message.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* What a URDF says of a robot's kinematics: links, and the joints that hang one below another. */
+
+typedef enum urdf_joint_type {
+    URDF_FIXED,
+    URDF_REVOLUTE,
+    URDF_CONTINUOUS,
+    URDF_PRISMATIC,
+    URDF_PLANAR,
+    URDF_FLOATING,
+    URDF_JOINT_TYPES
+} urdf_joint_type;
+
+extern const char *const urdf_joint_type_names[URDF_JOINT_TYPES];
+
+/* In place of an index: there is none. */
+#define URDF_NONE SIZE_MAX
+
+typedef struct urdf_link {
+    char *name;
+    file_place place;
+    size_t above;   /* the joint that it hangs from, URDF_NONE for a root; from urdf_tree_connect */
+    bool is_leaf;   /* nothing hangs from it; from urdf_tree_connect */
+    size_t visited; /* for urdf_tree_connect */
+} urdf_link;
+
+typedef struct urdf_joint {
+    char *name;
+    file_place place;
+    urdf_joint_type type;
+    double xyz[3], rpy[3]; /* where the child is at joint value 0, in the frame of the parent */
+    double axis[3];        /* in the frame of the child */
+    double low, high;      /* -infinity and infinity where the file does not say */
+    bool mimics;           /* follows another joint */
+    char *parent_name, *child_name;
+    size_t parent, child; /* links; from urdf_tree_connect */
+} urdf_joint;
+
+typedef struct urdf_tree {
+    const char *path; /* for messages */
+    char *robot;      /* its name */
+    size_t n_links, link_room;
+    urdf_link *links;
+    size_t n_joints, joint_room;
+    urdf_joint *joints;
+} urdf_tree;
+
+void urdf_tree_start(urdf_tree *tree, const char *path);
+void urdf_tree_free(urdf_tree *tree);
+
+/* A copy of a text, to keep in the tree; and a new link or joint of that name. False after a message. */
+bool urdf_tree_keep(char **kept, const char *text);
+bool urdf_tree_add_link(urdf_tree *tree, const char *name, const file_place *place);
+bool urdf_tree_add_joint(urdf_tree *tree, const char *name, const file_place *place);
+
+/*
+ * Once all is there: find the links that the joints name. False after a message where the names or the joints
+ * do not make trees: a name that is given twice or to nothing, a link below two joints, a ring.
+ */
+bool urdf_tree_connect(urdf_tree *tree);
+
+/* The link of that name, URDF_NONE where none has it. */
+size_t urdf_tree_link(const urdf_tree *tree, const char *name);
+
+#endif

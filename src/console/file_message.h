@@ -1,0 +1,20 @@
+#ifndef ARMTOL_CONSOLE_FILE_MESSAGE_H
+#define ARMTOL_CONSOLE_FILE_MESSAGE_H
+
+#include <stddef.h>
+
+/* A place in a file: line and column from 1, the column in characters. */
+typedef struct file_place {
+    const char *path;
+    size_t line;
+    size_t column;
+} file_place;
+
+/* message() with "FILE:LINE:COLUMN: " before the text, which is where editors and compilers have their places. */
+void file_message(const file_place *place, const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+
+#endif

@@ -1,0 +1,39 @@
+#ifndef ARMTOL_CONSOLE_MESSAGE_H
+#define ARMTOL_CONSOLE_MESSAGE_H
+
+#include <stdio.h>
+
+/*
+ * "NAME: " and the text, on a line of stderr of its own. NAME is what message_start got. Control characters, which
+ * a name of a file may hold, come out as question marks.
+ */
+void message_start(const char *program_name);
+void message(const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 1, 2)))
+#endif
+    ;
+
+/* The same without the name, and in as many lines as the text has: a remark. */
+void message_note(const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 1, 2)))
+#endif
+    ;
+
+/*
+ * Ask on stderr; the line stays open for the answer. A message that comes before message_answered begins a
+ * new line first.
+ */
+void message_prompt(const char *prompt);
+void message_answered(void);
+
+/* Room for a quotation: message_quote(text, &(quoted){""}). */
+typedef struct quoted {
+    char text[48];
+} quoted;
+
+/* What a user typed, in quotes, fit to print: plain ASCII and not endless. Returns quote->text. */
+const char *message_quote(const char *text, quoted *quote);
+
+#endif

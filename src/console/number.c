@@ -1,0 +1,95 @@
+#include "console/number.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <strings.h>
+
+static size_t digits(const char *text)
+{
+    size_t n = 0;
+    while (text[n] >= '0' && text[n] <= '9') {
+        n++;
+    }
+    return n;
+}
+
+static size_t sign(const char *text)
+{
+    return *text == '+' || *text == '-' ? 1 : 0;
+}
+
+/* strtod takes more (hexadecimal, nan) and less (part of the text) than a person means by a number. */
+static bool is_decimal(const char *text)
+{
+    text += sign(text);
+    const size_t whole = digits(text);
+    text += whole;
+    size_t fraction = 0;
+    if (*text == '.') {
+        text++;
+        fraction = digits(text);
+        text += fraction;
+    }
+    if (whole + fraction == 0) {
+        return false;
+    }
+    if (*text == 'e' || *text == 'E') {
+        text++;
+        text += sign(text);
+        const size_t exponent = digits(text);
+        text += exponent;
+        return exponent > 0 && *text == '\0';
+    }
+    return *text == '\0';
+}
+
+static bool is_named(const char *text)
+{
+    text += sign(text);
+    return strcasecmp(text, "nan") == 0 || strcasecmp(text, "inf") == 0 ||
+           strcasecmp(text, "infinity") == 0;
+}
+
+number_fault number_parse(const char *text, double *value)
+{
+    if (is_named(text)) {
+        return NUMBER_NOT_FINITE;
+    }
+    if (!is_decimal(text)) {
+        return NUMBER_NONE;
+    }
+    const double parsed = strtod(text, NULL);
+    if (!isfinite(parsed)) {
+        return NUMBER_TOO_LARGE;
+    }
+    *value = parsed;
+    return NUMBER_FINE;
+}
+
+const char *number_shortest(double value, const armtol_errata *errata, number_text *shortest)
+{
+    for (int precision = 6; precision <= 17; precision++) {
+        snprintf(shortest->text, sizeof shortest->text, "%.*g", precision, value);
+        if (armtol_stored(errata, strtod(shortest->text, NULL)) == value) {
+            break;
+        }
+    }
+    return shortest->text;
+}
+
+const char *number_fault_text(number_fault fault)
+{
+    switch (fault) {
+    case NUMBER_NOT_FINITE:
+        return "is not a finite number";
+    case NUMBER_TOO_LARGE:
+        return "is too large a number";
+    case NUMBER_TOO_LONG:
+        return "is too long";
+    default:
+        return "is not a number";
+    }
+}

@@ -1,0 +1,31 @@
+#ifndef ARMTOL_CONSOLE_NUMBER_H
+#define ARMTOL_CONSOLE_NUMBER_H
+
+#include "armtol/errata.h"
+
+typedef enum number_fault {
+    NUMBER_FINE,
+    NUMBER_NONE,       /* not a decimal number */
+    NUMBER_NOT_FINITE, /* nan, inf */
+    NUMBER_TOO_LARGE,  /* beyond what a double holds */
+    NUMBER_TOO_LONG    /* more characters than a word may have */
+} number_fault;
+
+/*
+ * A decimal number, with a point whatever the locale of the environment (no program here calls setlocale):
+ * sign, digits with at most one point, exponent. The whole text has to be one; *value only changes if it is.
+ */
+number_fault number_parse(const char *text, double *value);
+
+/* Room for a number: number_shortest(value, errata, &(number_text){""}). */
+typedef struct number_text {
+    char text[32];
+} number_text;
+
+/* The shortest decimal text that is stored as this value again, of six digits or more. Returns shortest->text. */
+const char *number_shortest(double value, const armtol_errata *errata, number_text *shortest);
+
+/* What is wrong, to come after the quoted text: "is not a number". */
+const char *number_fault_text(number_fault fault);
+
+#endif

@@ -1,9 +1,0 @@
-#ifndef EXPERIMENTS_YIELD_TABLES_H
-#define EXPERIMENTS_YIELD_TABLES_H
-
-#include "yield_case.h"
-
-/* Print what came of all cases, several tables each under a title of its own. False after a message. */
-bool yield_tables_print(const yield_case cases[], size_t n_cases, const yield_options *options);
-
-#endif

@@ -1,0 +1,177 @@
+#include "lab/joint_orders/family.h"
+
+#include "lab/joint_orders/keep.h"
+
+#include <math.h>
+
+#define BASE_HEIGHT 203.2
+#define INNER_LINK 425.0
+#define OUTER_LINK 375.0
+
+enum { PI, ELBOW, COSINE, ROOT, SHOULDER, SINES, JOINTS, SUM, TURNS, CONSTANTS, CHOICES };
+
+enum { PI_SHORT, PI_TRUE };
+enum { ELBOW_PI_ACOS, ELBOW_ACOS, ELBOW_PI_ATAN2, ELBOW_ATAN2, ELBOW_SOLVE };
+enum { STORED, NOT_STORED };
+enum { SHOULDER_ATAN2, SHOULDER_ONE_ATAN2, SHOULDER_ACOS };
+enum { SINES_DOUBLE, SINES_FLOAT };
+enum { JOINTS_FLOAT, JOINTS_LATE, JOINTS_DOUBLE };
+enum { SUM_IN_TURN, SUM_STORED };
+enum { TURNS_KEPT, TURNS_WRAPPED };
+enum { CONSTANTS_DOUBLE, CONSTANTS_FLOAT };
+
+static const choice choices[CHOICES] = {
+    [PI] = {"pi", "pi", 0, {{"3.14159", "the macro of the headers"}, {"true", "all digits of a double"}}},
+    [ELBOW] = {"elbow", "how q2 is found", 0,
+               {{"pi-acos", "pi - acos(c), c the cosine of the angle between the links"},
+                {"acos", "acos(-c)"},
+                {"pi-atan2", "pi - atan2(sqrt(1 - c^2), c)"},
+                {"atan2", "atan2(sqrt(1 - c^2), -c)"},
+                {"solve", "q1 first, by solve; then q2 from where the elbow is"}}},
+    [COSINE] = {"cosine", "c, or the d that solve is given", 0,
+                {{"float", "stored"}, {"double", "not stored"}}},
+    [ROOT] = {"root", "the square root", 0, {{"float", "stored"}, {"double", "not stored"}}},
+    [SHOULDER] = {"shoulder", "how q1 is found", 0,
+                  {{"atan2", "atan2(y, x) less the angle at the shoulder, by atan2"},
+                   {"one-atan2", "one atan2 of both angles together"},
+                   {"acos", "atan2(y, x) less the angle at the shoulder, by acos"}}},
+    [SINES] = {"sines", "sines and cosines", 0,
+               {{"double", "inside expressions, not stored"}, {"float", "stored"}}},
+    [JOINTS] = {"joints", "joint values", 0,
+                {{"float", "stored at once"},
+                 {"late", "stored at the end, not before they are used"},
+                 {"double", "never stored, unlike in the listings"}}},
+    [SUM] = {"sum", "q3", 0,
+             {{"in-turn", "theta - q1 - q2"}, {"stored", "theta - q12, with q12 = q1 + q2 stored"}}},
+    [TURNS] = {"turns", "q3 beyond a turn", 0, {{"kept", "left"}, {"wrapped", "brought between -pi and pi"}}},
+    [CONSTANTS] = {"constants", "the lengths of the arm", 0,
+                   {{"double", "macros"}, {"float", "variables"}}},
+};
+
+static bool matters(const configuration *how, size_t choice)
+{
+    const int elbow = how->option[ELBOW];
+    switch (choice) {
+    case PI:
+        return elbow == ELBOW_PI_ACOS || elbow == ELBOW_PI_ATAN2 || how->option[TURNS] == TURNS_WRAPPED;
+    case ROOT:
+        return elbow == ELBOW_PI_ATAN2 || elbow == ELBOW_ATAN2 || elbow == ELBOW_SOLVE;
+    case SHOULDER:
+        return elbow != ELBOW_SOLVE;
+    case SINES:
+        return elbow == ELBOW_SOLVE || how->option[SHOULDER] != SHOULDER_ACOS;
+    default:
+        return true;
+    }
+}
+
+static double pi_of(const configuration *how)
+{
+    return pi_of_digits(how->option[PI] == PI_SHORT);
+}
+
+static double cosine(const configuration *how, double value)
+{
+    return keep(how->option[COSINE] == STORED, value);
+}
+
+static double root(const configuration *how, double square)
+{
+    return keep(how->option[ROOT] == STORED, sqrt(square));
+}
+
+static double sine(const configuration *how, double value)
+{
+    return keep(how->option[SINES] == SINES_FLOAT, value);
+}
+
+static double joint(const configuration *how, double value)
+{
+    return keep(how->option[JOINTS] == JOINTS_FLOAT, value);
+}
+
+static double elbow_of(const configuration *how, double x, double y)
+{
+    const double c = cosine(how, (INNER_LINK * INNER_LINK + OUTER_LINK * OUTER_LINK - x * x - y * y) /
+                                     (2 * INNER_LINK * OUTER_LINK));
+    switch (how->option[ELBOW]) {
+    case ELBOW_PI_ACOS:
+        return pi_of(how) - acos(c);
+    case ELBOW_ACOS:
+        return acos(-c);
+    case ELBOW_PI_ATAN2:
+        return pi_of(how) - atan2(root(how, 1 - c * c), c);
+    default:
+        return atan2(root(how, 1 - c * c), -c);
+    }
+}
+
+static double shoulder_of(const configuration *how, double x, double y, double q2)
+{
+    if (how->option[SHOULDER] == SHOULDER_ACOS) {
+        const double square = x * x + y * y;
+        return atan2(y, x) - acos((square + INNER_LINK * INNER_LINK - OUTER_LINK * OUTER_LINK) /
+                                  (2 * INNER_LINK * sqrt(square)));
+    }
+    const double across = OUTER_LINK * sine(how, sin(q2));
+    const double along = INNER_LINK + OUTER_LINK * sine(how, cos(q2));
+    if (how->option[SHOULDER] == SHOULDER_ATAN2) {
+        return atan2(y, x) - atan2(across, along);
+    }
+    return atan2(y * along - x * across, x * along + y * across);
+}
+
+/* x cos q1 + y sin q1 = d: how far the tool is from the axis of joint 1 along the inner link. */
+static void solve_q1_first(const configuration *how, double x, double y, double q[])
+{
+    const double square = x * x + y * y;
+    const double d =
+        cosine(how, (square + INNER_LINK * INNER_LINK - OUTER_LINK * OUTER_LINK) / (2 * INNER_LINK));
+    const double s = root(how, square - d * d);
+    const double first = joint(how, atan2(x, -y) - atan2(d, s));
+    const double second = joint(how, atan2(x, -y) - atan2(d, -s));
+    q[0] = fabs(second) < fabs(first) ? second : first;
+    const double elbow_y = INNER_LINK * sine(how, sin(q[0])), elbow_x = INNER_LINK * sine(how, cos(q[0]));
+    q[1] = joint(how, atan2(y - elbow_y, x - elbow_x) - q[0]);
+}
+
+static double wrapped(double angle, double pi)
+{
+    if (angle > pi) {
+        return angle - 2 * pi;
+    }
+    return angle < -pi ? angle + 2 * pi : angle;
+}
+
+static void solve_all(const configuration *how, const double wish[], progress *progress)
+{
+    double *q = progress->q;
+    const double x = wish[0], y = wish[1], z = wish[2], theta = wish[3];
+    if (how->option[ELBOW] == ELBOW_SOLVE) {
+        solve_q1_first(how, x, y, q);
+    } else {
+        q[1] = joint(how, elbow_of(how, x, y));
+        q[0] = joint(how, shoulder_of(how, x, y, q[1]));
+    }
+    q[2] = how->option[SUM] == SUM_IN_TURN ? theta - q[0] - q[1] : theta - keep(true, q[0] + q[1]);
+    if (how->option[TURNS] == TURNS_WRAPPED) {
+        q[2] = wrapped(q[2], pi_of(how));
+    }
+    q[3] = z - keep(how->option[CONSTANTS] == CONSTANTS_FLOAT, BASE_HEIGHT);
+    for (int i = 0; i < 4; i++) {
+        q[i] = keep(how->option[JOINTS] != JOINTS_DOUBLE, q[i]);
+    }
+}
+
+static const step steps[] = {solve_all};
+
+const family family_adept = {
+    .program = "adpta",
+    .robot = &armtol_adept_one,
+    .choices = choices,
+    .n_choices = CHOICES,
+    .pi = PI,
+    .steps = steps,
+    .n_steps = sizeof steps / sizeof steps[0],
+    .matters = matters,
+};

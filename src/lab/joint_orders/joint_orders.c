@@ -1,0 +1,77 @@
+/* joint-orders: which orders of steps and which precisions give the paper's joint values. */
+
+#include "armtol/armtol.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+#include "console/rounding.h"
+#include "lab/joint_orders/options.h"
+
+#include <stdio.h>
+
+/* The other parts do with a family and the evidence. */
+static bool needs_survey(const orders_options *options)
+{
+    return options->show[PART_HISTOGRAM] || options->show[PART_CHOICES] || options->show[PART_OPEN] ||
+           options->show[PART_MISSES] || options->show[PART_ALL];
+}
+
+static bool print_parts(const survey surveys[FAMILIES], const orders_options *options)
+{
+    bool fine = true;
+    for (int part = 0; part < PART_COUNT && fine; part++) {
+        fine = !options->show[part] || orders_print((orders_part)part, surveys, options->format);
+    }
+    return fine;
+}
+
+static int survey_families(const published_list *list, const orders_options *options)
+{
+    evidence evidence[FAMILIES];
+    survey surveys[FAMILIES];
+    bool fine = true;
+    for (int i = 0; i < FAMILIES; i++) {
+        if (!evidence_find(list, families[i], &evidence[i])) {
+            return EXIT_WRONG;
+        }
+        surveys[i] = survey_start(families[i], &evidence[i]);
+    }
+    for (int i = 0; i < FAMILIES && fine && needs_survey(options); i++) {
+        fine = survey_run(&surveys[i], &options->given[i]);
+    }
+    fine = fine && print_parts(surveys, options);
+    for (int i = 0; i < FAMILIES; i++) {
+        survey_free(&surveys[i]);
+    }
+    return fine ? EXIT_OK : EXIT_FAILED;
+}
+
+static int read_and_survey(const orders_options *options)
+{
+    published_list list;
+    const int code = published_read(options->published, &list) ? survey_families(&list, options) : EXIT_WRONG;
+    published_free(&list);
+    return code;
+}
+
+static int act(const orders_options *options)
+{
+    switch (options->action) {
+    case ORDERS_HELP:
+        orders_options_help();
+        return EXIT_OK;
+    case ORDERS_VERSION:
+        printf("joint-orders (armtol) %s\n", armtol_version());
+        return EXIT_OK;
+    default:
+        return read_and_survey(options);
+    }
+}
+
+int main(int argc, char *argv[])
+{
+    orders_options options;
+    rounding_to_double();
+    message_start("joint-orders");
+    const int code = orders_options_parse(argc, argv, &options);
+    return exit_code_of_output(code == EXIT_OK ? act(&options) : code);
+}

@@ -1,0 +1,129 @@
+#include "lab/joint_orders/options.h"
+
+#include "console/exit_code.h"
+#include "console/flags.h"
+#include "console/message.h"
+
+#include <string.h>
+
+void orders_options_help(void)
+{
+    printf("Usage: joint-orders [OPTION]... PUBLISHED\n"
+           "The inverse kinematics of 1987 is not printed. Runs a family of ways in which it may\n"
+           "have been written on the cases of PUBLISHED, the table of the paper's numbers; prints\n"
+           "how many of the joint values each gives, and what that decides and leaves open.\n"
+           "\n"
+           "  -s, --show PART[,PART]  family     the choices and their options\n"
+           "                          histogram  configurations by how many values are right\n"
+           "                          choices    what the values say of each option\n"
+           "                          margins    how near each value is to another last digit\n"
+           "                          open       how much those that fit differ elsewhere\n"
+           "                          misses     those with one wrong value\n"
+           "                          all        every one that fits, a long list\n"
+           "                          (default: every part but the last)\n"
+           "  -g, --given CHOICE=OPTION[,CHOICE=OPTION]\n"
+           "                          leave out what is written otherwise, in each program\n"
+           "                          that has the choice\n"
+           "  -f, --format FORMAT     text (default), markdown or tsv\n"
+           "  -h, --help              show this and exit\n"
+           "  -V, --version           show the version and exit\n"
+           "\n"
+           "Exit status: 0 done, 2 wrong input or usage, 1 any other failure.\n");
+}
+
+static const char *quote_item(const char *item, size_t length, quoted *quote)
+{
+    char text[64];
+    snprintf(text, sizeof text, "%.*s", length < sizeof text ? (int)length : (int)sizeof text - 1, item);
+    return message_quote(text, quote);
+}
+
+/* One item of a list, up to a comma or the end. */
+typedef bool (*item_parser)(const char *item, size_t length, orders_options *options);
+
+static bool parse_list(const char *list, item_parser parse, orders_options *options)
+{
+    for (;;) {
+        const size_t length = strcspn(list, ",");
+        if (!parse(list, length, options)) {
+            return false;
+        }
+        if (list[length] == '\0') {
+            return true;
+        }
+        list += length + 1;
+    }
+}
+
+static bool parse_part(const char *name, size_t length, orders_options *options)
+{
+    for (int i = 0; i < PART_COUNT; i++) {
+        if (strlen(orders_part_names[i]) == length && strncmp(name, orders_part_names[i], length) == 0) {
+            options->show[i] = true;
+            return true;
+        }
+    }
+    message("--show: unknown part %s; expected parts as in --help", quote_item(name, length, &(quoted){""}));
+    return false;
+}
+
+static bool parse_show(const char *list, orders_options *options)
+{
+    memset(options->show, 0, sizeof options->show);
+    return parse_list(list, parse_part, options);
+}
+
+static bool parse_given(const char *text, size_t length, orders_options *options)
+{
+    bool known = false;
+    for (int i = 0; i < FAMILIES; i++) {
+        known = family_restrict(families[i], text, length, &options->given[i]) || known;
+    }
+    if (!known) {
+        message("--given: unknown option %s; expected CHOICE=OPTION as in --show=family",
+                quote_item(text, length, &(quoted){""}));
+    }
+    return known;
+}
+
+static const struct option long_options[] = {
+    {"show", required_argument, NULL, 's'},   {"given", required_argument, NULL, 'g'},
+    {"format", required_argument, NULL, 'f'}, {"help", no_argument, NULL, 'h'},
+    {"version", no_argument, NULL, 'V'},      {NULL, 0, NULL, 0},
+};
+
+static bool take(int option, const char *argument, void *context)
+{
+    orders_options *options = context;
+    switch (option) {
+    case 's':
+        return parse_show(argument, options);
+    case 'g':
+        return parse_list(argument, parse_given, options);
+    case 'f':
+        return table_format_parse(argument, &options->format);
+    case 'h':
+        options->action = ORDERS_HELP;
+        return true;
+    default:
+        options->action = ORDERS_VERSION;
+        return true;
+    }
+}
+
+int orders_options_parse(int argc, char *argv[], orders_options *options)
+{
+    *options = (orders_options){.action = ORDERS_RUN, .format = FORMAT_TEXT};
+    for (int i = 0; i < PART_COUNT; i++) {
+        options->show[i] = i != PART_ALL;
+    }
+    if (!flags_read(argc, argv, "+:s:g:f:hV", long_options, take, options)) {
+        return EXIT_WRONG;
+    }
+    if (options->action != ORDERS_RUN) {
+        return EXIT_OK;
+    }
+    options->published = flags_argument(argc, argv, "the table of the paper's numbers",
+                                        "joint-orders [OPTION]... PUBLISHED");
+    return options->published != NULL ? EXIT_OK : EXIT_WRONG;
+}

@@ -1,0 +1,61 @@
+#ifndef ARMTOL_LAB_JOINT_ORDERS_SURVEY_H
+#define ARMTOL_LAB_JOINT_ORDERS_SURVEY_H
+
+#include "lab/joint_orders/evidence.h"
+#include "lab/joint_orders/family.h"
+
+#include <stdint.h>
+
+/* The configurations of a family, held against the evidence. */
+
+/* Configurations by what they make of pi; those to which it does not matter go with both. */
+enum { PI_CLASSES = MOST_OPTIONS + 1, PI_ANY = MOST_OPTIONS };
+
+/* Of the configurations to which a choice matters, those with one option. */
+typedef struct option_tally {
+    uint64_t configurations;
+    uint64_t all;         /* that give all values */
+    uint64_t all_but_one;
+    size_t best;
+} option_tally;
+
+/* A wrong digit that is all that some configurations have wrong. */
+typedef struct closest_miss {
+    size_t value;   /* its place in the evidence */
+    double printed; /* what they give, as printed_of has it */
+    uint64_t configurations;
+    configuration nearest; /* the one with fewest changes from the default */
+} closest_miss;
+
+typedef struct survey {
+    const family *family;
+    const evidence *evidence;
+    uint64_t configurations;
+    uint64_t by_score[PI_CLASSES][MOST_VALUES + 1];
+    option_tally tallies[MOST_CHOICES][MOST_OPTIONS];
+    configuration *all; /* that give all values, from the default on */
+    size_t n_all;
+    closest_miss *misses; /* in the order in which they were met */
+    size_t n_misses;
+} survey;
+
+/* Of no configurations yet. */
+survey survey_start(const family *family, const evidence *evidence);
+
+/* Add those that are allowed. False, after a message, where memory is short. */
+bool survey_run(survey *survey, const restriction *given);
+void survey_free(survey *survey);
+
+/* How many of the configurations give so many values. */
+uint64_t survey_by_score(const survey *survey, size_t score);
+
+/*
+ * How many pairs of one configuration of each family give so many values together, pi being the same in both:
+ * by_score has a place for every score.
+ */
+void survey_pairs(const survey *one, const survey *other, uint64_t by_score[2 * MOST_VALUES + 1]);
+
+/* The values that a configuration misses, a bit each. */
+unsigned long survey_misses(const survey *survey, const configuration *configuration);
+
+#endif

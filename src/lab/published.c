@@ -1,0 +1,139 @@
+#include "lab/published.h"
+
+#include "console/exit_code.h"
+#include "console/message.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIELDS = 6 };
+
+static bool role_of(const char *text, published_role *role)
+{
+    static const char *const names[ROLE_COUNT] = {"wish", "tolerance", "delta", "result"};
+    for (int i = 0; i < ROLE_COUNT; i++) {
+        if (strcmp(text, names[i]) == 0) {
+            *role = (published_role)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Cut a line at its tabs; the number of fields, at most FIELDS + 1. */
+static int split(char *line, char *fields[FIELDS + 1])
+{
+    int n = 0;
+    line[strcspn(line, "\r\n")] = '\0';
+    while (line != NULL && n <= FIELDS) {
+        fields[n++] = line;
+        line = strchr(line, '\t');
+        if (line != NULL) {
+            *line++ = '\0';
+        }
+    }
+    return n;
+}
+
+static bool copy(char *to, size_t size, const char *from)
+{
+    const size_t length = strlen(from);
+    if (length == 0 || length >= size) {
+        return false;
+    }
+    memcpy(to, from, length + 1);
+    return true;
+}
+
+/* One to three digits; 0 for anything else. */
+static int whole_number(const char *text)
+{
+    const size_t length = strlen(text);
+    return length <= 3 && strspn(text, "0123456789") == length ? atoi(text) : 0;
+}
+
+static bool parse(char *line, published_number *number)
+{
+    char *fields[FIELDS + 1];
+    if (split(line, fields) != FIELDS) {
+        return false;
+    }
+    number->case_number = whole_number(fields[1]);
+    number->without_sign = strcmp(fields[5], "unsigned") == 0;
+    return copy(number->program, sizeof number->program, fields[0]) && number->case_number > 0 &&
+           role_of(fields[2], &number->role) && copy(number->quantity, sizeof number->quantity, fields[3]) &&
+           copy(number->value, sizeof number->value, fields[4]);
+}
+
+static bool append(published_list *list, const published_number *number)
+{
+    published_number *grown = realloc(list->numbers, (list->count + 1) * sizeof *grown);
+    if (grown == NULL) {
+        return false;
+    }
+    list->numbers = grown;
+    list->numbers[list->count++] = *number;
+    return true;
+}
+
+static bool read_all(FILE *stream, const char *path, published_list *list)
+{
+    char line[256];
+    for (int at = 1; fgets(line, sizeof line, stream) != NULL; at++) {
+        published_number number;
+        if (line[0] == '#') {
+            continue;
+        }
+        if (!parse(line, &number)) {
+            message("%s:%d: expected program, case, role, quantity, value and remark, "
+                            "a tab between each", path, at);
+            return false;
+        }
+        if (!append(list, &number)) {
+            out_of_memory();
+            return false;
+        }
+    }
+    return true;
+}
+
+bool published_read(const char *path, published_list *list)
+{
+    *list = (published_list){NULL, 0};
+    FILE *stream = fopen(path, "r");
+    if (stream == NULL) {
+        exit_code_note_error(errno);
+        message("%s: %s", path, strerror(errno));
+        return false;
+    }
+    errno = 0;
+    bool fine = read_all(stream, path, list);
+    if (fine && ferror(stream)) {
+        exit_code_note_error(errno);
+        message("%s: cannot be read", path);
+        fine = false;
+    } else if (fine && list->count == 0) {
+        message("%s: holds no numbers", path);
+        fine = false;
+    }
+    fclose(stream);
+    return fine;
+}
+
+void published_free(published_list *list)
+{
+    free(list->numbers);
+    *list = (published_list){NULL, 0};
+}
+
+bool published_same_case(const published_number *one, const published_number *other)
+{
+    return one->case_number == other->case_number && strcmp(one->program, other->program) == 0;
+}
+
+bool published_begins_case(const published_list *list, size_t i)
+{
+    return i == 0 || !published_same_case(&list->numbers[i - 1], &list->numbers[i]);
+}

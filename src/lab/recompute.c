@@ -1,0 +1,85 @@
+#include "lab/recompute.h"
+
+#include "1987/program.h"
+#include "1987/report.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* The numbers of one role, as the programs store them; at most `most`. Returns how many there are. */
+static size_t given(const published_list *list, size_t first, published_role role, const armtol_errata *errata,
+                    double values[], size_t most)
+{
+    size_t n = 0;
+    for (size_t i = first; i < list->count && n < most; i++) {
+        const published_number *number = &list->numbers[i];
+        if (published_same_case(number, &list->numbers[first]) && number->role == role) {
+            values[n++] = armtol_stored(errata, strtod(number->value, NULL));
+        }
+    }
+    return n;
+}
+
+static armtol_status run_steps(const published_list *list, size_t first, analysis *analysis)
+{
+    double wish[6], tolerances[6], delta;
+    const armtol_errata *errata = &analysis->errata;
+    if (given(list, first, ROLE_WISH, errata, wish, 6) != analysis->robot->n_wish ||
+        given(list, first, ROLE_TOLERANCE, errata, tolerances, 6) != 6 ||
+        given(list, first, ROLE_DELTA, errata, &delta, 1) != 1) {
+        return ARMTOL_WRONG_SIZE;
+    }
+    armtol_status status = analysis_place(analysis, wish);
+    if (status == ARMTOL_OK) {
+        status = analysis_matrix(analysis);
+    }
+    return status == ARMTOL_OK ? analysis_tolerances(analysis, tolerances, delta) : status;
+}
+
+bool recompute(const published_list *list, size_t first, const armtol_errata *errata, analysis *analysis)
+{
+    const published_number *number = &list->numbers[first];
+    const program *program = program_named(number->program);
+    if (program == NULL) {
+        message("%s: unknown program", number->program);
+        return false;
+    }
+    if (!analysis_start(analysis, program->robot, errata)) {
+        out_of_memory();
+        return false;
+    }
+    const armtol_status status = run_steps(list, first, analysis);
+    if (status != ARMTOL_OK) {
+        message("%s, case %d: %s", number->program, number->case_number,
+                armtol_status_text(status));
+        analysis_free(analysis);
+    }
+    return status == ARMTOL_OK;
+}
+
+char *recompute_files(const published_list *list, size_t first, const armtol_errata *errata)
+{
+    analysis analysis;
+    char *text = NULL;
+    size_t size = 0;
+    if (!recompute(list, first, errata, &analysis)) {
+        return NULL;
+    }
+    FILE *stream = open_memstream(&text, &size);
+    if (stream != NULL) {
+        const report report = {program_named(list->numbers[first].program), &analysis};
+        report_tolerances(stream, &report);
+        report_machining(stream, &report);
+        if (fclose(stream) != 0) {
+            free(text);
+            text = NULL;
+        }
+    }
+    analysis_free(&analysis);
+    if (text == NULL) {
+        out_of_memory();
+    }
+    return text;
+}

@@ -1,0 +1,19 @@
+#ifndef ARMTOL_LAB_RECOMPUTE_H
+#define ARMTOL_LAB_RECOMPUTE_H
+
+#include "1987/analysis.h"
+#include "lab/published.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/*
+ * Run the case that begins at number `first` in this process, with these errata. True: the analysis is complete
+ * and has to be freed. False, after a message: there is nothing to free.
+ */
+bool recompute(const published_list *list, size_t first, const armtol_errata *errata, analysis *analysis);
+
+/* What the tolerance and the machining file would say, one after the other; to be freed; NULL after a message. */
+char *recompute_files(const published_list *list, size_t first, const armtol_errata *errata);
+
+#endif

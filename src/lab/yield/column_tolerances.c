@@ -1,0 +1,52 @@
+#include "lab/yield/column_tolerances.h"
+
+#include <math.h>
+#include <string.h>
+
+bool length_reading_of(const char *name, length_reading *reading)
+{
+    static const char *const names[LENGTH_READING_COUNT] = {"share", "rd"};
+    for (int i = 0; i < LENGTH_READING_COUNT; i++) {
+        if (strcmp(name, names[i]) == 0) {
+            *reading = (length_reading)i;
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool is_moved(const armtol_link *link, armtol_parameter parameter)
+{
+    return (link->joint == ARMTOL_REVOLUTE && parameter == ARMTOL_THETA) ||
+           (link->joint == ARMTOL_PRISMATIC && parameter == ARMTOL_D);
+}
+
+static bool has_one_length(const armtol_link *link)
+{
+    size_t count, lengths = 0;
+    const armtol_parameter *parameters = armtol_kind_parameters(link->kind, &count);
+    for (size_t i = 0; i < count; i++) {
+        lengths += armtol_parameter_is_length(parameters[i]);
+    }
+    return lengths == 1;
+}
+
+static double tolerance_of(const analysis *analysis, length_reading reading, const armtol_column *column)
+{
+    const armtol_link *link = &analysis->links[column->link];
+    if (is_moved(link, column->parameter)) {
+        return analysis->motor[armtol_joint_count(analysis->links, column->link)];
+    }
+    if (!armtol_parameter_is_length(column->parameter)) {
+        return analysis->shares.angle;
+    }
+    return reading == LENGTHS_RD && has_one_length(link) ? analysis->machining[column->link]
+                                                         : analysis->shares.distance;
+}
+
+void column_tolerances(const analysis *analysis, length_reading reading, double tolerances[])
+{
+    for (size_t k = 0; k < analysis->n_columns; k++) {
+        tolerances[k] = fabs(tolerance_of(analysis, reading, &analysis->columns[k]));
+    }
+}

@@ -1,0 +1,390 @@
+#include "armtol/optimum.h"
+
+#include "lib/optimum/center.h"
+#include "lib/optimum/rows.h"
+#include "lib/report/finite.h"
+
+#include <float.h>
+#include <math.h>
+
+/*
+ * Few rows bind, so few are looked at: the problem is solved for a working set of rows, those that its
+ * solution violates most come in, those that do not bind go out, until none is violated.
+ */
+
+enum { ALL_AT_ONCE = 24, MOST_ROUNDS = 300 };
+
+/* A row is violated where it uses more than its limit by more than this part. */
+static const double slack = 1e-12;
+
+/* Rows whose elements of B all differ by less say nearly the same: one of them at a time is enough. */
+static const double likeness = 0.03;
+
+/* The working set: its rows packed, the places of the rows in the matrix (whole numbers, kept as doubles). */
+typedef struct working_set {
+    double *members;
+    double *packed;
+    size_t count;
+    size_t capacity;
+} working_set;
+
+typedef struct allocation {
+    allocation_rows rows;
+    double *weights;    /* of bounded columns, their sum 1 */
+    double *tolerances; /* all columns, 0 for the infinite ones */
+    double *uses;       /* of every row, as far as it is of interest */
+    working_set set;
+    center_state state;
+} allocation;
+
+static size_t capacity_of(size_t n_rows, size_t n_columns)
+{
+    const size_t enough = 3 * n_columns + ALL_AT_ONCE;
+    return n_rows < enough ? n_rows : enough;
+}
+
+size_t armtol_allocation_workspace(size_t n_rows, size_t n_columns)
+{
+    const size_t capacity = capacity_of(n_rows, n_columns);
+    return (3 + CENTER_VECTORS) * n_columns + n_rows + (1 + n_columns + CENTER_VECTORS + capacity) * capacity;
+}
+
+static double *take(double **place, size_t count)
+{
+    double *const part = *place;
+    *place += count;
+    return part;
+}
+
+static void divide_workspace(allocation *allocation, double workspace[])
+{
+    const size_t m = allocation->rows.n_rows, n = allocation->rows.n_columns, capacity = capacity_of(m, n);
+    center_state *state = &allocation->state;
+    double **const of_columns[] = {
+        &allocation->rows.units, &allocation->weights, &allocation->tolerances,
+        &state->t, &state->y, &state->dt, &state->dy, &state->ratios, &state->targets,
+    };
+    double **const of_set[] = {
+        &allocation->set.members, &state->l, &state->s, &state->dl, &state->ds,
+        &state->complements, &state->pivots,
+    };
+    for (size_t i = 0; i < sizeof of_columns / sizeof of_columns[0]; i++) {
+        *of_columns[i] = take(&workspace, n);
+    }
+    for (size_t i = 0; i < sizeof of_set / sizeof of_set[0]; i++) {
+        *of_set[i] = take(&workspace, capacity);
+    }
+    allocation->uses = take(&workspace, m);
+    allocation->set.packed = take(&workspace, capacity * n);
+    state->matrix = take(&workspace, capacity * capacity);
+    allocation->set.capacity = capacity;
+    allocation->set.count = 0;
+}
+
+static armtol_status check_input(const allocation_rows *rows, const double weights[])
+{
+    if (!all_finite(rows->matrix, rows->n_rows * rows->n_columns) || !all_finite(weights, rows->n_columns)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    for (size_t i = 0; i < rows->n_rows; i++) {
+        if (isnan(rows->limits[i])) {
+            return ARMTOL_NOT_FINITE;
+        }
+        if (rows->limits[i] <= 0) {
+            return ARMTOL_BAD_TOLERANCE;
+        }
+        if (!isinf(rows->limits[i]) && !allocation_in_range(rows->limits[i])) {
+            return ARMTOL_NOT_FINITE;
+        }
+    }
+    for (size_t k = 0; k < rows->n_columns; k++) {
+        if (weights[k] <= 0) {
+            return ARMTOL_BAD_WEIGHT;
+        }
+    }
+    return ARMTOL_OK;
+}
+
+/* The weights of the bounded columns, divided by their sum; the largest first, so that no sum overflows. */
+static void share_weights(allocation *allocation, const double weights[])
+{
+    const allocation_rows *rows = &allocation->rows;
+    double largest = 0, sum = 0;
+    size_t count = 0;
+    for (size_t k = 0; k < rows->n_columns; k++) {
+        largest = rows->units[k] > 0 ? fmax(largest, weights[k]) : largest;
+    }
+    for (size_t k = 0; k < rows->n_columns; k++) {
+        if (rows->units[k] > 0) {
+            allocation->weights[count++] = weights[k] / largest;
+        }
+    }
+    for (size_t j = 0; j < count; j++) {
+        sum += allocation->weights[j];
+    }
+    for (size_t j = 0; j < count; j++) {
+        allocation->weights[j] /= sum;
+    }
+}
+
+/* ---- the working set ---- */
+
+static bool is_member(const working_set *set, size_t row)
+{
+    for (size_t j = 0; j < set->count; j++) {
+        if ((size_t)set->members[j] == row) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static void add_row(allocation *allocation, size_t row)
+{
+    working_set *set = &allocation->set;
+    set->members[set->count] = (double)row;
+    allocation_pack(&allocation->rows, row, set->packed + set->count * allocation->rows.n_bounded);
+    set->count++;
+}
+
+/* The row that bounds a column most when the column is alone. */
+static size_t tightest_row(const allocation_rows *rows, size_t column)
+{
+    size_t tightest = 0;
+    double largest = 0;
+    for (size_t i = 0; i < rows->n_rows; i++) {
+        const double element = allocation_element(rows, i, column);
+        if (element > largest) {
+            largest = element;
+            tightest = i;
+        }
+    }
+    return tightest;
+}
+
+/* Few rows: all; else enough to bound every column. */
+static void start_set(allocation *allocation)
+{
+    const allocation_rows *rows = &allocation->rows;
+    if (rows->n_rows <= ALL_AT_ONCE) {
+        for (size_t i = 0; i < rows->n_rows; i++) {
+            add_row(allocation, i);
+        }
+        return;
+    }
+    for (size_t k = 0; k < rows->n_columns; k++) {
+        if (rows->units[k] > 0) {
+            const size_t row = tightest_row(rows, k);
+            if (!is_member(&allocation->set, row)) {
+                add_row(allocation, row);
+            }
+        }
+    }
+}
+
+static void drop_slack_rows(allocation *allocation)
+{
+    working_set *set = &allocation->set;
+    const size_t n = allocation->rows.n_bounded;
+    size_t kept = 0;
+    for (size_t j = 0; j < set->count; j++) {
+        if (allocation_binds(&allocation->state, j)) {
+            set->members[kept] = set->members[j];
+            for (size_t k = 0; k < n; k++) {
+                set->packed[kept * n + k] = set->packed[j * n + k];
+            }
+            kept++;
+        }
+    }
+    set->count = kept;
+}
+
+/* ---- rounds ---- */
+
+static bool solve_set(allocation *allocation)
+{
+    const center_problem problem = {
+        .rows = allocation->set.packed,
+        .n_rows = allocation->set.count,
+        .n_columns = allocation->rows.n_bounded,
+        .weights = allocation->weights,
+    };
+    if (!allocation_center(&problem, &allocation->state)) {
+        return false;
+    }
+    const bool squares = allocation->rows.sum == ARMTOL_ROOT_SUM_SQUARES;
+    size_t place = 0;
+    for (size_t k = 0; k < allocation->rows.n_columns; k++) {
+        const double unit = allocation->rows.units[k];
+        allocation->tolerances[k] = 0;
+        if (unit > 0) {
+            const double t = allocation->state.t[place++];
+            allocation->tolerances[k] = unit * (squares ? sqrt(t) : t);
+        }
+    }
+    return true;
+}
+
+/* What every row uses of its limit; returns the most. */
+static double find_uses(allocation *allocation)
+{
+    double most = 0;
+    for (size_t i = 0; i < allocation->rows.n_rows; i++) {
+        allocation->uses[i] = allocation_use(&allocation->rows, i, allocation->tolerances);
+        most = fmax(most, allocation->uses[i]);
+    }
+    return most;
+}
+
+static bool alike(const allocation_rows *rows, size_t one, size_t other)
+{
+    for (size_t k = 0; k < rows->n_columns; k++) {
+        if (fabs(allocation_element(rows, one, k) - allocation_element(rows, other, k)) > likeness) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Let no row like this one, nor the row, count as violated in this round. */
+static void pass_over(allocation *allocation, size_t row)
+{
+    for (size_t i = 0; i < allocation->rows.n_rows; i++) {
+        if (allocation->uses[i] > 1 + slack && alike(&allocation->rows, i, row)) {
+            allocation->uses[i] = 0;
+        }
+    }
+}
+
+static size_t most_used(const double uses[], size_t n_rows)
+{
+    size_t most = 0;
+    for (size_t i = 1; i < n_rows; i++) {
+        most = uses[i] > uses[most] ? i : most;
+    }
+    return most;
+}
+
+/* Take in the rows that are violated most, as many as a round may and there is room for; returns how many. */
+static size_t add_violated(allocation *allocation)
+{
+    working_set *set = &allocation->set;
+    size_t added = 0;
+    while (set->count < set->capacity && added < allocation->rows.n_bounded) {
+        const size_t row = most_used(allocation->uses, allocation->rows.n_rows);
+        if (!(allocation->uses[row] > 1 + slack)) {
+            break;
+        }
+        add_row(allocation, row);
+        pass_over(allocation, row);
+        added++;
+    }
+    return added;
+}
+
+/* Rows of the set keep to their limits but for rounding. */
+static bool any_violated(allocation *allocation)
+{
+    for (size_t j = 0; j < allocation->set.count; j++) {
+        allocation->uses[(size_t)allocation->set.members[j]] = 0;
+    }
+    return allocation->uses[most_used(allocation->uses, allocation->rows.n_rows)] > 1 + slack;
+}
+
+/* The optimum, and what the row that uses most uses of its limit: 1, but for rounding. */
+static bool solve(allocation *allocation, double *most)
+{
+    start_set(allocation);
+    for (int round = 0; round < MOST_ROUNDS; round++) {
+        if (!solve_set(allocation)) {
+            return false;
+        }
+        *most = find_uses(allocation);
+        if (!any_violated(allocation)) {
+            return true;
+        }
+        drop_slack_rows(allocation);
+        if (add_violated(allocation) == 0) {
+            return false;
+        }
+    }
+    return false;
+}
+
+/* ---- results ---- */
+
+/*
+ * Shrink the tolerances until every row keeps to its limit however its products are summed: n of them, added
+ * in any order, are off by less than n + 2 roundings, and so is what we know of the row that uses most.
+ */
+static void keep_to_limits(allocation *allocation, double most)
+{
+    const allocation_rows *rows = &allocation->rows;
+    const double used = rows->sum == ARMTOL_ROOT_SUM_SQUARES ? sqrt(most) : most;
+    const double factor = (1 - (double)(rows->n_columns + 8) * DBL_EPSILON) / used;
+    for (size_t k = 0; k < rows->n_columns; k++) {
+        allocation->tolerances[k] *= factor;
+    }
+}
+
+static bool all_in_range(const allocation *allocation)
+{
+    bool in_range = true;
+    for (size_t k = 0; k < allocation->rows.n_columns; k++) {
+        const bool bounded = allocation->rows.units[k] > 0;
+        in_range = in_range && (!bounded || allocation_in_range(allocation->tolerances[k]));
+    }
+    return in_range;
+}
+
+static void write_tolerances(const allocation *allocation, double tolerances[])
+{
+    for (size_t k = 0; k < allocation->rows.n_columns; k++) {
+        tolerances[k] = allocation->rows.units[k] > 0 ? allocation->tolerances[k] : (double)INFINITY;
+    }
+}
+
+static void write_multipliers(const allocation *allocation, double multipliers[])
+{
+    const working_set *set = &allocation->set;
+    const center_state *state = &allocation->state;
+    double sum = 0;
+    for (size_t i = 0; i < allocation->rows.n_rows; i++) {
+        multipliers[i] = 0;
+    }
+    for (size_t j = 0; j < set->count; j++) {
+        sum += allocation_binds(state, j) ? state->l[j] : 0;
+    }
+    for (size_t j = 0; j < set->count; j++) {
+        multipliers[(size_t)set->members[j]] = allocation_binds(state, j) ? state->l[j] / sum : 0;
+    }
+}
+
+armtol_status armtol_allocate(armtol_sum sum, const double matrix[], size_t n_rows, size_t n_columns,
+                              const double limits[], const double weights[], double tolerances[],
+                              double multipliers[], double workspace[])
+{
+    allocation allocation = {.rows = {sum, matrix, n_rows, n_columns, limits}};
+    const armtol_status status = check_input(&allocation.rows, weights);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    divide_workspace(&allocation, workspace);
+    if (!allocation_find_units(&allocation.rows, allocation.tolerances)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    share_weights(&allocation, weights);
+    if (allocation.rows.n_bounded > 0) {
+        double most;
+        if (!solve(&allocation, &most)) {
+            return ARMTOL_NOT_SOLVED;
+        }
+        keep_to_limits(&allocation, most);
+        if (!all_in_range(&allocation)) {
+            return ARMTOL_NOT_FINITE;
+        }
+    }
+    write_tolerances(&allocation, tolerances);
+    write_multipliers(&allocation, multipliers);
+    return ARMTOL_OK;
+}

@@ -1,0 +1,67 @@
+#include "armtol/bounds.h"
+
+#include "lib/report/arithmetic.h"
+
+#include <math.h>
+
+armtol_status armtol_tolerances_check(const double tolerances[6], double delta)
+{
+    for (int i = 0; i < 6; i++) {
+        if (!isfinite(tolerances[i])) {
+            return ARMTOL_NOT_FINITE;
+        }
+        if (tolerances[i] <= 0) {
+            return ARMTOL_BAD_TOLERANCE;
+        }
+    }
+    if (!isfinite(delta)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    const double smallest = fmin(tolerances[0], fmin(tolerances[1], tolerances[2]));
+    return delta > 0 && delta < smallest ? ARMTOL_OK : ARMTOL_BAD_DELTA;
+}
+
+static double row_norm(const double row[], size_t first, size_t end, const armtol_errata *errata)
+{
+    double sum = 0;
+    for (size_t k = first; k < end; k++) {
+        sum = store(errata, sum + row[k] * row[k]);
+    }
+    return store(errata, sqrt(sum));
+}
+
+/* Lower the bound to the radius that one row allows; a row without an entry allows any. */
+static void tighten(double *bound, double allowed, double norm, const armtol_errata *errata)
+{
+    if (norm > 0) {
+        *bound = fmin(*bound, store(errata, allowed / norm));
+    }
+}
+
+armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,
+                                 const double tolerances[6], double delta, const armtol_errata *errata,
+                                 armtol_bounds *bounds)
+{
+    const armtol_status status = armtol_tolerances_check(tolerances, delta);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    if (n_lengths > n_columns) {
+        return ARMTOL_WRONG_SIZE;
+    }
+    double distance = (double)INFINITY, angle = (double)INFINITY;
+    for (size_t i = 0; i < 6; i++) {
+        const double *row = ordered + i * n_columns;
+        const double lengths = row_norm(row, 0, n_lengths, errata);
+        const double angles = row_norm(row, n_lengths, n_columns, errata);
+        if (!isfinite(lengths) || !isfinite(angles)) {
+            return ARMTOL_NOT_FINITE;
+        }
+        tighten(&angle, i < 3 ? tolerances[i] - delta : tolerances[i], angles, errata);
+        if (i < 3) {
+            tighten(&distance, delta, lengths, errata);
+        }
+    }
+    *bounds = (armtol_bounds){distance, angle};
+    return ARMTOL_OK;
+}

@@ -1,0 +1,119 @@
+#include "armtol/link.h"
+
+#include "lib/report/arithmetic.h"
+#include "lib/report/finite.h"
+
+typedef struct kind_row {
+    const char *name;
+    size_t count;
+    armtol_parameter parameters[ARMTOL_PARAMETER_COUNT];
+} kind_row;
+
+static const kind_row kinds[ARMTOL_KIND_COUNT] = {
+    [ARMTOL_NPR] = {"npr", 4, {ARMTOL_THETA, ARMTOL_D, ARMTOL_A, ARMTOL_ALPHA}},
+    [ARMTOL_NPP] = {"npp", 3, {ARMTOL_THETA, ARMTOL_D, ARMTOL_ALPHA}},
+    [ARMTOL_PPR] = {"ppr", 4, {ARMTOL_THETA, ARMTOL_A, ARMTOL_ALPHA, ARMTOL_BETA}},
+    [ARMTOL_PPP] = {"ppp", 5, {ARMTOL_D, ARMTOL_THETA, ARMTOL_A, ARMTOL_ALPHA, ARMTOL_BETA}},
+};
+
+static const kind_row *row_of(armtol_kind kind)
+{
+    return (size_t)kind < ARMTOL_KIND_COUNT ? &kinds[kind] : NULL;
+}
+
+const armtol_parameter *armtol_kind_parameters(armtol_kind kind, size_t *count)
+{
+    const kind_row *row = row_of(kind);
+    *count = row != NULL ? row->count : 0;
+    return row != NULL ? row->parameters : NULL;
+}
+
+const char *armtol_kind_name(armtol_kind kind)
+{
+    const kind_row *row = row_of(kind);
+    return row != NULL ? row->name : "?";
+}
+
+const char *armtol_parameter_name(armtol_parameter parameter)
+{
+    static const char *const names[ARMTOL_PARAMETER_COUNT] = {"theta", "d", "a", "alpha", "beta"};
+    return (size_t)parameter < ARMTOL_PARAMETER_COUNT ? names[parameter] : "?";
+}
+
+bool armtol_parameter_is_length(armtol_parameter parameter)
+{
+    return parameter == ARMTOL_A || parameter == ARMTOL_D;
+}
+
+static armtol_status check_link(const armtol_link *link)
+{
+    if ((size_t)link->kind >= ARMTOL_KIND_COUNT) {
+        return ARMTOL_BAD_KIND;
+    }
+    if ((size_t)link->joint >= ARMTOL_JOINT_COUNT) {
+        return ARMTOL_BAD_JOINT;
+    }
+    const double values[] = {link->a, link->alpha, link->d, link->theta, link->beta};
+    return all_finite(values, sizeof values / sizeof values[0]) ? ARMTOL_OK : ARMTOL_NOT_FINITE;
+}
+
+armtol_status armtol_links_check(const armtol_link links[], size_t n_links)
+{
+    armtol_status status = n_links > 0 ? ARMTOL_OK : ARMTOL_NO_LINKS;
+    for (size_t i = 0; i < n_links && status == ARMTOL_OK; i++) {
+        status = check_link(&links[i]);
+    }
+    return status;
+}
+
+size_t armtol_joint_count(const armtol_link links[], size_t n_links)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < n_links; i++) {
+        count += links[i].joint != ARMTOL_FIXED;
+    }
+    return count;
+}
+
+static armtol_link place(const armtol_link *link, double q, const armtol_errata *errata)
+{
+    armtol_link placed = *link;
+    double *moved = link->joint == ARMTOL_REVOLUTE ? &placed.theta : &placed.d;
+    *moved = store(errata, *moved + q);
+    return placed;
+}
+
+/* Whether every link keeps finite values when its joint moves. */
+static armtol_status check_placing(const armtol_link links[], size_t n_links, const double q[],
+                                   const armtol_errata *errata)
+{
+    armtol_status status = ARMTOL_OK;
+    size_t joint = 0;
+    for (size_t i = 0; i < n_links && status == ARMTOL_OK; i++) {
+        if (links[i].joint != ARMTOL_FIXED) {
+            const armtol_link placed = place(&links[i], q[joint++], errata);
+            status = check_link(&placed);
+        }
+    }
+    return status;
+}
+
+armtol_status armtol_links_place(const armtol_link links[], size_t n_links, const double q[], size_t n_joints,
+                                 const armtol_errata *errata, armtol_link placed[])
+{
+    armtol_status status = armtol_links_check(links, n_links);
+    if (status == ARMTOL_OK && n_joints != armtol_joint_count(links, n_links)) {
+        status = ARMTOL_WRONG_SIZE;
+    }
+    if (status == ARMTOL_OK) {
+        status = check_placing(links, n_links, q, errata);
+    }
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    size_t joint = 0;
+    for (size_t i = 0; i < n_links; i++) {
+        placed[i] = links[i].joint == ARMTOL_FIXED ? links[i] : place(&links[i], q[joint++], errata);
+    }
+    return ARMTOL_OK;
+}

@@ -1,0 +1,30 @@
+#include "armtol/solve.h"
+
+#include "lib/report/arithmetic.h"
+#include "lib/report/trigonometry.h"
+
+#include <math.h>
+
+armtol_status armtol_solve(double px, double py, double d, double close, const armtol_errata *errata,
+                           double *theta)
+{
+    if (!isfinite(px) || !isfinite(py) || !isfinite(d) || !isfinite(close)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    if (d == 0) {
+        if (px == 0 && py == 0) {
+            return ARMTOL_SINGULAR;
+        }
+        *theta = store(errata, angle_of(errata, px, -py));
+        return ARMTOL_OK;
+    }
+    const double square = py * py + px * px - d * d;
+    if (!(square >= 0)) { /* also where the squares overflow to inf - inf */
+        return ARMTOL_OUT_OF_REACH;
+    }
+    const double s = store(errata, sqrt(square));
+    const double first = store(errata, angle_of(errata, px, -py) - angle_of(errata, d, s));
+    const double second = store(errata, angle_of(errata, px, -py) - angle_of(errata, d, -s));
+    *theta = fabs(second - close) < fabs(first - close) ? second : first;
+    return ARMTOL_OK;
+}

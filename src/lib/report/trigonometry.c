@@ -1,0 +1,79 @@
+#include "lib/report/trigonometry.h"
+
+#include "armtol/conventions.h"
+#include "lib/lanes/lanes.h"
+
+#define LANES 1
+#include "lib/lanes/sincos_kernel.h"
+#include "lib/lanes/lane_kernel.h"
+#include "lib/lanes/triple_kernel.h"
+#include "lib/lanes/frame_kernel.h"
+#include "lib/lanes/rotation_kernel.h"
+#undef LANES
+
+static const double pi = 3.14159265358979323846;
+
+double sine_of(const armtol_errata *errata, double angle)
+{
+    double sine, cosine;
+    if (errata->float_storage) {
+        return sin(angle);
+    }
+    sine_cosine_1(&angle, &sine, &cosine);
+    return sine;
+}
+
+double cosine_of(const armtol_errata *errata, double angle)
+{
+    double sine, cosine;
+    if (errata->float_storage) {
+        return cos(angle);
+    }
+    sine_cosine_1(&angle, &sine, &cosine);
+    return cosine;
+}
+
+/* The angle of (x, y), x and y >= 0: what is left of the nearest of 0, pi/4 and pi/2 has a small tangent. */
+static double angle_of_quadrant(double y, double x)
+{
+    static const double tan_eighth = 0.41421356237309504880; /* of pi */
+    double tangent = 0, nearest = 0, terms;
+    if (y > x / tan_eighth) {
+        nearest = pi / 2;
+        tangent = -x / y;
+    } else if (y > x * tan_eighth) {
+        nearest = pi / 4;
+        tangent = (y - x) / (y + x);
+    } else if (y > 0) {
+        tangent = y / x;
+    }
+    const double square = tangent * tangent;
+    arctangent_terms_1(&square, &terms);
+    return nearest + (tangent + tangent * square * terms);
+}
+
+double angle_of(const armtol_errata *errata, double y, double x)
+{
+    if (errata->float_storage) {
+        return atan2(y, x);
+    }
+    const double upper = angle_of_quadrant(fabs(y), fabs(x));
+    return copysign(x < 0 ? pi - upper : upper, y);
+}
+
+double arc_cosine_of(const armtol_errata *errata, double cosine)
+{
+    return errata->float_storage ? acos(cosine) : angle_of(errata, sqrt((1 - cosine) * (1 + cosine)), cosine);
+}
+
+double arc_sine_of(const armtol_errata *errata, double sine)
+{
+    return errata->float_storage ? asin(sine) : angle_of(errata, sine, sqrt((1 - sine) * (1 + sine)));
+}
+
+double length_of(double x, double y)
+{
+    const double longer = fmax(fabs(x), fabs(y)), shorter = fmin(fabs(x), fabs(y));
+    const double ratio = shorter / longer;
+    return longer == 0 || isinf(longer) ? longer : longer * sqrt(1 + ratio * ratio);
+}

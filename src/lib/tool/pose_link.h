@@ -1,0 +1,21 @@
+#ifndef ARMTOL_LIB_TOOL_POSE_LINK_H
+#define ARMTOL_LIB_TOOL_POSE_LINK_H
+
+#include "armtol/poses.h"
+#include "lib/private_names.h"
+
+#include <stdint.h>
+
+#define NO_COLUMN SIZE_MAX
+
+/*
+ * What is prepared of the first links of a chain, at most POSE_LINKS of them: returns how many. Their columns
+ * are counted from *column on, which is moved on behind them.
+ */
+enum { POSE_LINKS = 8 };
+size_t pose_links_of(const armtol_link links[], size_t n_links, size_t *column, armtol_pose_link made[]);
+
+/* Where the columns of a link's parameters are, NO_COLUMN for what the kind does not count. */
+void columns_of_link(armtol_kind kind, size_t *column, size_t columns[ARMTOL_PARAMETER_COUNT]);
+
+#endif

@@ -1,0 +1,220 @@
+#include "armtol/sampler.h"
+
+#include "armtol/error_matrix.h"
+#include "armtol/transform.h"
+#include "lib/report/finite.h"
+#include "lib/lanes/lanes.h"
+#include "lib/tool/pose_link.h"
+#include "lib/tool/splitmix.h"
+
+#define LANES 1
+#include "lib/lanes/triple_kernel.h"
+#include "lib/tool/sampler_kernel.h"
+#undef LANES
+#if LANES_ARE_VECTORS
+#define LANES 2
+#include "lib/lanes/triple_kernel.h"
+#include "lib/tool/sampler_kernel.h"
+#undef LANES
+#endif
+#if LANES_HAVE_MACHINES
+#define LANES 4
+#include "lib/lanes/triple_kernel.h"
+#include "lib/tool/sampler_kernel.h"
+#undef LANES
+#define LANES 8
+#include "lib/lanes/triple_kernel.h"
+#include "lib/tool/sampler_kernel.h"
+#undef LANES
+#endif
+
+/* ---- drawing ---- */
+
+/*
+ * Every arm is drawn in a whole block of lanes, and so by the same arithmetic whatever is asked for with it.
+ */
+LANE_INLINE void draw_blocks(const armtol_sampler *sampler, uint64_t first, size_t count, bool large,
+                             double errors[], int lanes)
+{
+    for (size_t done = 0; done < count; done += BLOCK) {
+        const size_t some = count - done < BLOCK ? count - done : BLOCK;
+        double block[6 * BLOCK];
+        LANES_CALL(arm_block, lanes, (sampler, first + done, large, block));
+        for (size_t i = 0; i < 6; i++) {
+            memcpy(errors + i * count + done, block + i * BLOCK, some * sizeof block[0]);
+        }
+    }
+}
+
+/* Compiled once for each way to sines: registers are not to be kept free for one that is not taken. */
+LANE_INLINE void draw_all(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[],
+                          int lanes)
+{
+    if (sampler->large_errors) {
+        draw_blocks(sampler, first, count, true, errors, lanes);
+    } else {
+        draw_blocks(sampler, first, count, false, errors, lanes);
+    }
+}
+
+LANES_MACHINES(draw_all, (const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]),
+               sampler, first, count, errors)
+
+void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[])
+{
+    draw_all_on_machine(sampler, first, count, errors);
+}
+
+static double uniform_of(uint64_t key, uint64_t number)
+{
+    uint64_t state = key + SPLITMIX_STEP * (number + 1);
+    double draw;
+    uniform_1(1, &state, &draw);
+    return draw;
+}
+
+double armtol_sampler_uniform(uint64_t seed, uint64_t number)
+{
+    return uniform_of(splitmix_key(seed), number);
+}
+
+void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, double parameter_errors[])
+{
+    for (size_t k = 0; k < sampler->n_columns; k++) {
+        parameter_errors[k] = 0;
+    }
+    for (size_t i = 0; i < sampler->n_links; i++) {
+        const armtol_sampled_link *const link = &sampler->links[i];
+        for (size_t k = 0; k < link->n_drawn; k++) {
+            const size_t column = link->columns[k];
+            const double draw = uniform_of(sampler->key, arm * sampler->n_columns + column);
+            parameter_errors[column] = link->tolerances[k] * draw;
+        }
+    }
+}
+
+/* ---- what is prepared ---- */
+
+static armtol_status check_tolerances(const double tolerances[], size_t n)
+{
+    if (!all_finite(tolerances, n)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    for (size_t k = 0; k < n; k++) {
+        if (tolerances[k] < 0) {
+            return ARMTOL_BAD_TOLERANCE;
+        }
+    }
+    return ARMTOL_OK;
+}
+
+static armtol_status check(const armtol_link links[], size_t n_links, const double tolerances[],
+                           size_t n_columns, const armtol_tool_point *tool)
+{
+    const armtol_status status = armtol_links_check(links, n_links);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    if (n_columns != armtol_column_count(links, n_links)) {
+        return ARMTOL_WRONG_SIZE;
+    }
+    return all_finite(tool->offset, 3) ? check_tolerances(tolerances, n_columns) : ARMTOL_NOT_FINITE;
+}
+
+static armtol_sampled_link sampled_link_of(const armtol_pose_link *link, const double tolerances[])
+{
+    armtol_sampled_link sampled = {
+        .a = link->a,
+        .d = link->d,
+        .cos_theta = link->cos_theta,
+        .sin_theta = link->sin_theta,
+        .cos_alpha = link->cos_alpha,
+        .sin_alpha = link->sin_alpha,
+        .cos_beta = link->cos_beta,
+        .sin_beta = link->sin_beta,
+    };
+    for (size_t i = 0; i < ARMTOL_PARAMETER_COUNT; i++) {
+        const size_t column = link->columns[i];
+        if (column != NO_COLUMN && tolerances[column] > 0) {
+            const size_t k = sampled.n_drawn++;
+            sampled.off[i] = true;
+            sampled.drawn[k] = (armtol_parameter)i;
+            sampled.tolerances[k] = tolerances[column];
+            sampled.columns[k] = column;
+            sampled.steps[k] = SPLITMIX_STEP * (uint64_t)column;
+        }
+    }
+    return sampled;
+}
+
+static void cross_meant_link(const armtol_pose_link *link, frame_1 *frame)
+{
+    turn_1(frame->x, frame->y, &link->cos_theta, &link->sin_theta);
+    advance_1(frame, &link->a, &link->d);
+    turn_1(frame->y, frame->z, &link->cos_alpha, &link->sin_alpha);
+    turn_1(frame->z, frame->x, &link->cos_beta, &link->sin_beta);
+}
+
+static armtol_transform transform_of(const frame_1 *frame)
+{
+    armtol_transform transform = {{{0}, {0}, {0}, {0, 0, 0, 1}}};
+    for (int i = 0; i < 3; i++) {
+        transform.m[i][0] = frame->x[i];
+        transform.m[i][1] = frame->y[i];
+        transform.m[i][2] = frame->z[i];
+        transform.m[i][3] = frame->origin[i];
+    }
+    return transform;
+}
+
+/* How far the short series reach: a single angle, and the turn that all angles together can make. */
+#define SMALL_ERROR (1.0 / 128)
+#define SMALL_TURN (1.0 / 4)
+
+static void measure(armtol_sampler *sampler)
+{
+    double sum = 0;
+    for (size_t i = 0; i < sampler->n_links; i++) {
+        const armtol_sampled_link *const link = &sampler->links[i];
+        for (size_t k = 0; k < link->n_drawn; k++) {
+            if (!armtol_parameter_is_length(link->drawn[k])) {
+                sampler->large_errors = sampler->large_errors || link->tolerances[k] > SMALL_ERROR;
+                sum += link->tolerances[k];
+            }
+        }
+    }
+    sampler->large_turn = sum > SMALL_TURN;
+}
+
+armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link prepared[],
+                                   const armtol_link links[], size_t n_links, const double tolerances[],
+                                   size_t n_columns, const armtol_tool_point *tool, uint64_t seed)
+{
+    const armtol_status status = check(links, n_links, tolerances, n_columns, tool);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    frame_1 frame = {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}};
+    size_t column = 0;
+    for (size_t done = 0; done < n_links;) {
+        armtol_pose_link some[POSE_LINKS];
+        const size_t n = pose_links_of(links + done, n_links - done, &column, some);
+        for (size_t i = 0; i < n; i++) {
+            prepared[done++] = sampled_link_of(&some[i], tolerances);
+            cross_meant_link(&some[i], &frame);
+        }
+    }
+    const armtol_transform meant = transform_of(&frame);
+    *sampler = (armtol_sampler){
+        .links = prepared,
+        .n_links = n_links,
+        .n_columns = n_columns,
+        .tool = *tool,
+        .meant = meant,
+        .start = armtol_transform_inverse(&meant, &armtol_errata_none),
+        .seed = seed,
+        .key = splitmix_key(seed),
+    };
+    measure(sampler);
+    return ARMTOL_OK;
+}

@@ -1,0 +1,147 @@
+#include "armtol/tool_error.h"
+
+#include "armtol/error_matrix.h"
+#include "armtol/link_transform.h"
+#include "armtol/transform.h"
+#include "lib/report/trigonometry.h"
+
+#include <math.h>
+
+static double *field_of(armtol_link *link, armtol_parameter parameter)
+{
+    switch (parameter) {
+    case ARMTOL_THETA:
+        return &link->theta;
+    case ARMTOL_D:
+        return &link->d;
+    case ARMTOL_A:
+        return &link->a;
+    case ARMTOL_ALPHA:
+        return &link->alpha;
+    default:
+        return &link->beta;
+    }
+}
+
+/* The link with errors of the parameters that its kind counts; *count is their number. */
+static armtol_link built_link(const armtol_link *link, const double parameter_errors[], size_t *count)
+{
+    armtol_link built = *link;
+    const armtol_parameter *parameters = armtol_kind_parameters(link->kind, count);
+    for (size_t k = 0; k < *count; k++) {
+        *field_of(&built, parameters[k]) += parameter_errors[k];
+    }
+    return built;
+}
+
+static armtol_transform built_chain(const armtol_link links[], size_t n_links,
+                                    const double parameter_errors[])
+{
+    armtol_transform chain = armtol_transform_identity();
+    size_t column = 0;
+    for (size_t i = 0; i < n_links; i++) {
+        size_t count;
+        const armtol_link link = built_link(&links[i], parameter_errors + column, &count);
+        const armtol_transform step = armtol_link_transform(&link, &armtol_errata_none);
+        chain = armtol_transform_product(&chain, &step, &armtol_errata_none);
+        column += count;
+    }
+    return chain;
+}
+
+static void displacement(const armtol_transform *built, const armtol_transform *meant, const double offset[3],
+                         double moved[3])
+{
+    for (int i = 0; i < 3; i++) {
+        moved[i] = built->m[i][3] - meant->m[i][3];
+        for (int n = 0; n < 3; n++) {
+            moved[i] += (built->m[i][n] - meant->m[i][n]) * offset[n];
+        }
+    }
+}
+
+/* R R', R of the arm as built, R' the transpose of that as meant. */
+static void turn(const armtol_transform *built, const armtol_transform *meant, double r[3][3])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            r[i][j] = 0;
+            for (int n = 0; n < 3; n++) {
+                r[i][j] += built->m[i][n] * meant->m[j][n];
+            }
+        }
+    }
+}
+
+/*
+ * A multiple of the quaternion (w; v) = (cos, axis sin) of half the angle, w >= 0. Of the four ways to have
+ * it from r the one is taken that subtracts no like numbers, so that it holds near no turn and near half a
+ * turn.
+ */
+static double half_turn(double r[3][3], double v[3])
+{
+    double w = 1 + r[0][0] + r[1][1] + r[2][2];
+    if (w < 1) {
+        int i = r[1][1] > r[0][0] ? 1 : 0;
+        i = r[2][2] > r[i][i] ? 2 : i;
+        const int j = (i + 1) % 3, k = (i + 2) % 3;
+        v[i] = 1 + r[i][i] - r[j][j] - r[k][k];
+        v[j] = r[j][i] + r[i][j];
+        v[k] = r[k][i] + r[i][k];
+        w = r[k][j] - r[j][k];
+    } else {
+        for (int i = 0; i < 3; i++) {
+            const int j = (i + 1) % 3, k = (i + 2) % 3;
+            v[i] = r[k][j] - r[j][k];
+        }
+    }
+    for (int i = 0; i < 3 && w < 0; i++) {
+        v[i] = -v[i];
+    }
+    return fabs(w);
+}
+
+static void rotation_vector(double r[3][3], double vector[3])
+{
+    const double w = half_turn(r, vector);
+    const double length = sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+    const double factor = length > 0 ? 2 * angle_of(&armtol_errata_none, length, w) / length : 2 / w;
+    for (int i = 0; i < 3; i++) {
+        vector[i] *= factor;
+    }
+}
+
+/* From base coordinates to those of the frame. */
+static void express(const armtol_transform *frame, double vector[3])
+{
+    const double in_base[3] = {vector[0], vector[1], vector[2]};
+    for (int i = 0; i < 3; i++) {
+        vector[i] = 0;
+        for (int n = 0; n < 3; n++) {
+            vector[i] += frame->m[n][i] * in_base[n];
+        }
+    }
+}
+
+armtol_status armtol_tool_error(const armtol_link links[], size_t n_links, const double parameter_errors[],
+                                size_t n_columns, const armtol_tool_point *tool, double error[6])
+{
+    const armtol_status status = armtol_links_check(links, n_links);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    if (n_columns != armtol_column_count(links, n_links)) {
+        return ARMTOL_WRONG_SIZE;
+    }
+    const armtol_transform meant = armtol_chain_transform(links, n_links, &armtol_errata_none);
+    const armtol_transform built = built_chain(links, n_links, parameter_errors);
+    double r[3][3];
+    turn(&built, &meant, r);
+    displacement(&built, &meant, tool->offset, error);
+    rotation_vector(r, error + 3);
+    if (tool->frame == ARMTOL_TOOL_FRAME) {
+        express(&meant, error);
+        express(&meant, error + 3);
+    }
+    return ARMTOL_OK;
+}

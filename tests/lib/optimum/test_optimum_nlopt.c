@@ -1,0 +1,359 @@
+#include "armtol/arm.h"
+#include "armtol/error_matrix.h"
+#include "armtol/optimum.h"
+#include "armtol/robots.h"
+
+#include "support/check.h"
+#include "support/random.h"
+#include "unity.h"
+
+#include <math.h>
+#include <nlopt.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/*
+ * The optimum held against that of a general solver, which knows nothing of how it is found here: NLopt's
+ * SLSQP (sequential quadratic programming), in x = sqrt(w) log(t / unit), or log of the square, where the
+ * problem is convex, its objective linear and its curvature the same all around.
+ */
+
+enum { MOST_ROWS = 60, MOST_COLUMNS = 40, MOST_LINKS = 8 };
+
+typedef struct problem {
+    armtol_sum sum;
+    size_t n_rows, n_columns;
+    double matrix[MOST_ROWS * MOST_COLUMNS];
+    double limits[MOST_ROWS];
+    double weights[MOST_COLUMNS];
+    double alone[MOST_COLUMNS]; /* the largest that a tolerance could be if all others were 0 */
+    double units[MOST_COLUMNS]; /* t^order = units^order e^(x / roots) */
+    double roots[MOST_COLUMNS]; /* of the weights, their sum 1 */
+} problem;
+
+static problem given;
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+/* ---- the same problem, told to NLopt ---- */
+
+static double objective(unsigned n, const double x[], double gradient[], void *data)
+{
+    const problem *problem = data;
+    double sum = 0;
+    for (unsigned k = 0; k < n; k++) {
+        sum -= problem->roots[k] * x[k];
+        if (gradient != NULL) {
+            gradient[k] = -problem->roots[k];
+        }
+    }
+    return sum;
+}
+
+/* Squares are what root-sum-square limits are linear in. */
+static double order_of(const problem *problem)
+{
+    return problem->sum == ARMTOL_ROOT_SUM_SQUARES ? 2 : 1;
+}
+
+static double tolerance_at(const problem *problem, size_t column, double x)
+{
+    return problem->units[column] * exp(x / (order_of(problem) * problem->roots[column]));
+}
+
+static double part(const problem *problem, size_t row, size_t column, double x)
+{
+    const double element = fabs(problem->matrix[row * problem->n_columns + column]);
+    return pow(element * tolerance_at(problem, column, x) / problem->limits[row], order_of(problem));
+}
+
+static void constraints(unsigned m, double result[], unsigned n, const double x[], double gradient[],
+                        void *data)
+{
+    const problem *problem = data;
+    for (unsigned i = 0; i < m; i++) {
+        result[i] = -1;
+        for (unsigned k = 0; k < n; k++) {
+            const double share = part(problem, i, k, x[k]);
+            result[i] += share;
+            if (gradient != NULL) {
+                gradient[i * n + k] = share / problem->roots[k];
+            }
+        }
+    }
+}
+
+static void scale(problem *problem)
+{
+    double weight = 0;
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        weight += problem->weights[k];
+    }
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        problem->roots[k] = sqrt(problem->weights[k] / weight);
+    }
+}
+
+/* At x = 0 what each column could have alone, parted by their number or more: inside every limit. */
+static void start(problem *problem, double parted, double x[])
+{
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        double most = 0;
+        for (size_t i = 0; i < problem->n_rows; i++) {
+            most = fmax(most, fabs(problem->matrix[i * problem->n_columns + k]) / problem->limits[i]);
+        }
+        problem->alone[k] = 1 / most;
+        problem->units[k] = problem->alone[k] / (parted * (double)problem->n_columns);
+        x[k] = 0;
+    }
+}
+
+/* No tolerance beyond what it could be alone: keeps first steps from running away with the exponential. */
+static void set_upper_bounds(const problem *problem, nlopt_opt solver)
+{
+    double bounds[MOST_COLUMNS];
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        const double log_ratio = log(problem->alone[k] / problem->units[k]);
+        bounds[k] = fmax(0, order_of(problem) * problem->roots[k] * log_ratio);
+    }
+    nlopt_set_upper_bounds(solver, bounds);
+}
+
+static nlopt_opt solver_for(problem *problem)
+{
+    double allowed[MOST_ROWS];
+    for (size_t i = 0; i < problem->n_rows; i++) {
+        allowed[i] = 1e-13;
+    }
+    nlopt_opt solver = nlopt_create(NLOPT_LD_SLSQP, (unsigned)problem->n_columns);
+    TEST_ASSERT_NOT_NULL(solver);
+    nlopt_set_min_objective(solver, objective, problem);
+    nlopt_add_inequality_mconstraint(solver, (unsigned)problem->n_rows, constraints, problem, allowed);
+    nlopt_set_xtol_abs1(solver, 1e-12);
+    nlopt_set_maxeval(solver, 2000);
+    return solver;
+}
+
+/*
+ * Make where it stands x = 0, so that the objective has digits to spare there; returns how far it had come.
+ */
+static double recentre(problem *problem, double x[])
+{
+    double moved = 0;
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        moved = fmax(moved, fabs(x[k]));
+        problem->units[k] = tolerance_at(problem, k, x[k]);
+        x[k] = 0;
+    }
+    return moved;
+}
+
+/* Started again from where it stopped until it stays there; the tolerances are then the units. */
+static void solve_from(problem *problem, double parted)
+{
+    double x[MOST_COLUMNS], value, moved = 1;
+    scale(problem);
+    start(problem, parted, x);
+    nlopt_opt solver = solver_for(problem);
+    for (int i = 0; i < 50 && moved > 1e-10; i++) {
+        set_upper_bounds(problem, solver);
+        const nlopt_result result = nlopt_optimize(solver, x, &value);
+        if (result < 0 && result != NLOPT_ROUNDOFF_LIMITED) {
+            TEST_FAIL_MESSAGE(nlopt_result_to_string(result));
+        }
+        moved = recentre(problem, x);
+    }
+    nlopt_destroy(solver);
+}
+
+static double log_product(const problem *problem)
+{
+    double sum = 0;
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        sum += problem->weights[k] * log(problem->units[k]);
+    }
+    return sum;
+}
+
+/* SLSQP can stop short of the optimum, and once in a hundred problems does: the best of a few beginnings. */
+static void solve_with_nlopt(problem *problem, double tolerances[])
+{
+    static const double parted[] = {1, 1.5, 3};
+    double best = -(double)INFINITY;
+    for (size_t i = 0; i < sizeof parted / sizeof parted[0]; i++) {
+        solve_from(problem, parted[i]);
+        const double reached = log_product(problem);
+        if (reached > best) {
+            best = reached;
+            memcpy(tolerances, problem->units, problem->n_columns * sizeof *tolerances);
+        }
+    }
+}
+
+static void compare(problem *problem, const char *what)
+{
+    double expected[MOST_COLUMNS], actual[MOST_COLUMNS], multipliers[MOST_ROWS];
+    const size_t size = armtol_allocation_workspace(problem->n_rows, problem->n_columns);
+    double *workspace = malloc(size * sizeof *workspace);
+    TEST_ASSERT_NOT_NULL(workspace);
+    for (int sum = 0; sum < ARMTOL_SUM_COUNT; sum++) {
+        problem->sum = (armtol_sum)sum;
+        const armtol_status status = armtol_allocate(problem->sum, problem->matrix, problem->n_rows,
+                                                     problem->n_columns, problem->limits, problem->weights,
+                                                     actual, multipliers, workspace);
+        TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, status, what);
+        solve_with_nlopt(problem, expected);
+        for (size_t k = 0; k < problem->n_columns; k++) {
+            check_within(1e-6 * expected[k], expected[k], actual[k], "%s, sum %d, column %zu", what, sum, k);
+        }
+    }
+    free(workspace);
+}
+
+/* ---- problems ---- */
+
+static void even_weights(problem *problem)
+{
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        problem->weights[k] = 1;
+    }
+}
+
+static void random_weights(random_source *source, problem *problem)
+{
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        problem->weights[k] = random_between(source, 0.1, 10);
+    }
+}
+
+/* A of placed links, below the rows that there are. */
+static void add_pose(problem *problem, const armtol_link placed[], size_t n_links)
+{
+    problem->n_columns = armtol_column_count(placed, n_links);
+    TEST_ASSERT_TRUE(problem->n_columns <= MOST_COLUMNS && problem->n_rows + 6 <= MOST_ROWS);
+    double *a = problem->matrix + problem->n_rows * problem->n_columns;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_error_matrix(placed, n_links, &armtol_errata_none, a,
+                                                         problem->n_columns));
+    for (size_t i = 0; i < 6; i++) {
+        problem->limits[problem->n_rows++] = i < 3 ? 0.5 : 0.1;
+    }
+}
+
+/* A column without a large element is rounding: NLopt would take it for true. The arms of 1987 have none. */
+static void compare_robot(const armtol_robot *robot, const double wish[], const char *what)
+{
+    armtol_link links[MOST_LINKS];
+    double q[6];
+    armtol_reach reach;
+    robot->links(&armtol_errata_none, links);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, robot->inverse(wish, &armtol_errata_none, q, &reach), what);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(links, robot->n_links, q, robot->n_joints,
+                                                        &armtol_errata_none, links));
+    given.n_rows = 0;
+    add_pose(&given, links, robot->n_links);
+    even_weights(&given);
+    compare(&given, what);
+    for (size_t i = 3; i < 6; i++) {
+        given.limits[i] = 1e-4;
+    }
+    random_source source = {1};
+    random_weights(&source, &given);
+    compare(&given, what);
+}
+
+static void test_the_arms_of_1987(void)
+{
+    static const double intelledex[2][6] = {{200, 200, 0, 0, 1.57, 0}, {-200, 200, 100, 0, 1.57, 0}};
+    static const double adept[2][4] = {{200, 200, 0, 0}, {-200, 200, 100, 0}};
+    compare_robot(&armtol_intelledex_605t, intelledex[0], "Intelledex, case 1");
+    compare_robot(&armtol_intelledex_605t, intelledex[1], "Intelledex, case 2");
+    compare_robot(&armtol_adept_one, adept[0], "Adept, case 1");
+    compare_robot(&armtol_adept_one, adept[1], "Adept, case 2");
+}
+
+/* At joint values within the limits that are known. */
+static void compare_arm(random_source *source, const armtol_arm *arm)
+{
+    armtol_link links[MOST_LINKS];
+    double q[MOST_LINKS];
+    size_t n_joints = 0;
+    TEST_ASSERT_TRUE(arm->n_links <= MOST_LINKS);
+    for (size_t i = 0; i < arm->n_links; i++) {
+        if (arm->links[i].joint != ARMTOL_FIXED) {
+            const armtol_drive *drive = &arm->drives[i];
+            q[n_joints++] = random_between(source, fmax(drive->low, -3), fmin(drive->high, 300));
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(arm->links, arm->n_links, q, n_joints, &armtol_errata_none,
+                                                        links));
+    given.n_rows = 0;
+    add_pose(&given, links, arm->n_links);
+    random_weights(source, &given);
+    compare(&given, arm->name);
+}
+
+static void test_every_built_in_arm(void)
+{
+    random_source source = {1987};
+    for (size_t i = 0; i < armtol_arm_count(); i++) {
+        for (int pose = 0; pose < 3; pose++) {
+            compare_arm(&source, armtol_arm_at(i));
+        }
+    }
+}
+
+static void draw_arm(random_source *source, armtol_link links[], size_t n_links)
+{
+    for (size_t i = 0; i < n_links; i++) {
+        links[i] = (armtol_link){
+            .kind = (armtol_kind)random_between(source, 0, ARMTOL_KIND_COUNT),
+            .a = random_between(source, -400, 400),
+            .alpha = random_between(source, -2, 2),
+            .d = random_between(source, -400, 400),
+            .beta = random_between(source, -0.1, 0.1),
+        };
+    }
+}
+
+static void turn(random_source *source, armtol_link links[], size_t n_links)
+{
+    for (size_t i = 0; i < n_links; i++) {
+        links[i].theta = random_between(source, -3, 3);
+    }
+}
+
+static void test_random_arms_in_one_pose_or_several(void)
+{
+    random_source source = {2};
+    for (int round = 0; round < 20; round++) {
+        char what[40];
+        armtol_link links[MOST_LINKS];
+        const size_t n_links = (size_t)random_between(&source, 2, MOST_LINKS + 1);
+        const int n_poses = round % 2 == 0 ? 1 : (int)random_between(&source, 2, MOST_ROWS / 6 + 1);
+        draw_arm(&source, links, n_links);
+        given.n_rows = 0;
+        for (int pose = 0; pose < n_poses; pose++) {
+            turn(&source, links, n_links);
+            add_pose(&given, links, n_links);
+        }
+        random_weights(&source, &given);
+        snprintf(what, sizeof what, "arm %d in %d poses", round, n_poses);
+        compare(&given, what);
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_the_arms_of_1987);
+    RUN_TEST(test_every_built_in_arm);
+    RUN_TEST(test_random_arms_in_one_pose_or_several);
+    return UNITY_END();
+}

@@ -1,0 +1,71 @@
+#include "armtol/euler.h"
+
+#include "support/check.h"
+#include "support/random.h"
+#include "unity.h"
+
+void setUp(void)
+{
+}
+
+void tearDown(void)
+{
+}
+
+static void check_turn(int angle, const double from[3], const double to[3])
+{
+    double pose[6] = {10, 20, 30, 0, 0, 0};
+    pose[angle] = 1.5707963267948966;
+    const armtol_transform t = armtol_pose_to_transform(pose, &armtol_errata_none);
+    for (int i = 0; i < 3; i++) {
+        const double turned = t.m[i][0] * from[0] + t.m[i][1] * from[1] + t.m[i][2] * from[2];
+        check_within(1e-15, to[i], turned, "angle %d, component %d", angle, i);
+        check_same(pose[i], t.m[i][3], "position %d", i);
+    }
+}
+
+static void test_gamma_beta_and_alpha_turn_about_x_y_and_z(void)
+{
+    const double x[3] = {1, 0, 0}, y[3] = {0, 1, 0}, z[3] = {0, 0, 1};
+    check_turn(3, y, z);
+    check_turn(4, z, x);
+    check_turn(5, x, y);
+}
+
+/* gamma acts first, alpha last. */
+static void test_the_order_is_z_y_x(void)
+{
+    const double quarter = 1.5707963267948966;
+    const double pose[6] = {0, 0, 0, quarter, 0.25, quarter};
+    const armtol_transform t = armtol_pose_to_transform(pose, &armtol_errata_none);
+    /* Rz Ry Rx z = Rz Ry (-y) = Rz (-y) = x */
+    check_within(1e-15, 1, t.m[0][2], "x of the turned z axis");
+    check_within(1e-15, 0, t.m[1][2], "y of the turned z axis");
+    check_within(1e-15, 0, t.m[2][2], "z of the turned z axis");
+}
+
+static void test_there_and_back(void)
+{
+    random_source source = {1};
+    for (int n = 0; n < 100; n++) {
+        double pose[6], back[6];
+        for (int i = 0; i < 6; i++) {
+            const double range = i < 3 ? 500 : i == 4 ? 1.5 : 3.1;
+            pose[i] = random_between(&source, -range, range);
+        }
+        const armtol_transform t = armtol_pose_to_transform(pose, &armtol_errata_none);
+        armtol_transform_to_pose(&t, &armtol_errata_none, back);
+        for (int i = 0; i < 6; i++) {
+            check_within(1e-12, pose[i], back[i], "component %d", i);
+        }
+    }
+}
+
+int main(void)
+{
+    UNITY_BEGIN();
+    RUN_TEST(test_gamma_beta_and_alpha_turn_about_x_y_and_z);
+    RUN_TEST(test_the_order_is_z_y_x);
+    RUN_TEST(test_there_and_back);
+    return UNITY_END();
+}
