@@ -232,7 +232,7 @@ class Tree:
 
     def _own_tests(self, name):
         parts = os.path.splitext(name)[0].split("/")
-        wanted = {"test_" + stem}
+        wanted = {"test_" + parts[-1]}
         for start, pattern in OWN.items():
             if any(part.startswith(start) for part in parts) or (start in parts[-1] and start.endswith("kernel")):
                 wanted |= set(pattern.split("|"))
