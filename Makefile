@@ -9,6 +9,7 @@ CMAKE_FLAGS ?=
 PUBLISHED = golden/published.tsv
 CONFIGURE = cmake -S . -B $(BUILD) $(CMAKE_FLAGS)
 COMPILE   = cmake --build $(BUILD) --parallel $(JOBS)
+CTEST     = ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error
 
 # What CMake and the compiler say is of interest when they fail.
 quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(2).log >&2; exit 1; }
@@ -16,7 +17,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz mutants
-.PHONY: all run test golden diff era machines book book-check check-faults install clean setup
+.PHONY: all run check test tests golden diff era machines book book-check check-faults dist install clean setup
 
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
@@ -26,10 +27,18 @@ all: setup $(BUILD)/wished-expat
 run: all
 	@$(BUILD)/reproduce $(BUILD) $(PUBLISHED) $(BUILD)/run
 
-test: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
+# For every edit: all tests but those that take long, under a minute once the tests are built.
+LONG_TESTS = ^(memcheck|build|fuzz|fault)_|^(install|example.*|test_legacy|test_orders_memory)$$
+check: tests
+	@$(CTEST) --exclude-regex '$(LONG_TESTS)'
+
+# For every commit: all of them.
+test: tests
+	@$(CTEST)
+
+tests: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
 	$(call quietly,$(CONFIGURE) -DBUILD_TESTING=ON,configure)
 	$(call quietly,$(COMPILE),compile)
-	@ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error
 
 # Writes what the programs print today over golden/1987, golden/corrected and golden/armtol; say in the commit
 # why each line changed. The published numbers are never written.
@@ -55,10 +64,8 @@ machines:
 	@tests/machines/machines $(BUILD)/machines $(MACHINES)
 
 # Memory, disks, system calls, signals and limits failing at every place where they can. Part of `make test` too.
-check-faults: setup $(BUILD)/wished-expat $(BUILD)/wished-valgrind
-	$(call quietly,$(CONFIGURE) -DBUILD_TESTING=ON,configure)
-	$(call quietly,$(COMPILE),compile)
-	@ctest --test-dir $(BUILD) --parallel $(JOBS) --output-on-failure --no-tests=error --tests-regex '^fault_'
+check-faults: tests $(BUILD)/wished-valgrind
+	@$(CTEST) --tests-regex '^fault_'
 	@tests/faults/summary $(BUILD)/Testing/Temporary/LastTest.log
 
 # All that is read, given whatever clang's libFuzzer makes up: FUZZ_SECONDS for each of the harnesses, JOBS at a time. The
@@ -101,6 +108,16 @@ mutants: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
 analyse: setup
 	@.ci/setup gcc clang clang-tidy cppcheck --wish expat nlopt
 	@tests/analysis/analyse $(BUILD)/analyse $(JOBS)
+
+# The last commit as a tarball, the same bytes whenever it is made; what is not committed is not in it.
+committed_version = git show HEAD:CMakeLists.txt | sed -n 's/^project(armtol VERSION \([0-9.]*\) .*/\1/p'
+dist:
+	@.ci/setup git
+	@mkdir -p $(BUILD)
+	@git diff --quiet HEAD -- || echo 'dist: what is not committed is not in the tarball' >&2
+	@name=armtol-$$($(committed_version)) && rm -f "$(BUILD)/$$name.tar.gz" && \
+	git -c tar.umask=0022 -c core.autocrlf=false archive --prefix="$$name/" -o "$(BUILD)/$$name.tar" HEAD && \
+	gzip -9n "$(BUILD)/$$name.tar" && echo "$(BUILD)/$$name.tar.gz"
 
 install: all
 	@DESTDIR="$(DESTDIR)" cmake --install $(BUILD) --prefix "$(PREFIX)"

@@ -40,7 +40,7 @@ UNTIMED = 60 # what is not timed: what takes long and is for survivors only
 EXPLAINED = "tests/trust/survivors.tsv"
 
 # Tests that run many times as long as the others, or build the project once more.
-HEAVY = r"^(memcheck|build|fault|fuzz|machines|man)_|^(install|example.*|exports)$|_legacy$|^test_(joint_orders.*|yield|reproduce)$"
+HEAVY = r"^(memcheck|build|docs|fault|fuzz|machines|man)_|^(install|example.*|exports)$|_legacy$|^test_(joint_orders.*|yield|reproduce)$"
 
 # Where a folder's mistakes show first; the tests of the file's own name go before these, all others after them.
 FIRST = {
