@@ -24,7 +24,7 @@ typedef struct armtol_craig_link {
 
 /*
  * The transform of one link with joint value q, which is added to theta or d; q of a fixed link is ignored.
- * Source: Craig 1986, Eq. (3.6). Erratum: float.
+ * Source: Craig 1986, Eq. (3.6); Hahn 1987, routine transf. Erratum: float.
  */
 armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q, const armtol_errata *errata);
 

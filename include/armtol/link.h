@@ -80,9 +80,9 @@ size_t armtol_joint_count(const armtol_link links[], size_t n_links);
 
 /*
  * Put joint values into a table: placed[i] is links[i] with the value of its joint, if it has one, added to
- * theta or d. q holds one value a joint, in link order.
+ * theta or d, and with every parameter stored. q holds one value a joint, in link order. Erratum: float.
  * placed may be links. Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_joints is not the
- * number of joints; ARMTOL_NOT_FINITE for a q that is not or a sum that overflows.
+ * number of joints; ARMTOL_NOT_FINITE for a q that is not, and for a sum or a float that overflows.
  */
 armtol_status armtol_links_place(const armtol_link links[], size_t n_links, const double q[], size_t n_joints,
                                  const armtol_errata *errata, armtol_link placed[]);

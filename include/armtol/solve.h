@@ -9,7 +9,7 @@ ARMTOL_INTERFACE_BEGIN
 
 /*
  * The theta with px cos theta + py sin theta = d. Of the two answers for d != 0 the one closer to `close`,
- * the first on a tie; for d = 0 always atan2(px, -py). Angles are not wrapped.
+ * the first on a tie of their squared distances; for d = 0 always atan2(px, -py). Angles are not wrapped.
  * Source: Paul 1981, chapter 3; Hahn 1987, routine solve. Erratum: float.
  * Errors: ARMTOL_NOT_FINITE; ARMTOL_SINGULAR for px = py = d = 0; ARMTOL_OUT_OF_REACH for
  * d^2 > px^2 + py^2, as computed. The squares have to stay within the range of a double.

@@ -19,8 +19,8 @@ typedef struct armtol_residue {
 } armtol_residue;
 
 /*
- * The residue of a chain, modelled and not read: (H(alpha), sin alpha, H(a)) of the last link, where H(x) is
- * the upper 32 bits of the double x, read as a float. Zeros with the erratum corrected, for a chain of no
+ * The residue of a chain of placed links, modelled and not read: (H(alpha), sin alpha, H(a)) of the last link, where
+ * H(x) is the upper 32 bits of the double x, read as a float. Zeros with the erratum corrected, for a chain of no
  * links, and for a chain whose last link is not npr: the frames of the other routines were never seen.
  * Source: the listings of gnpr and getj and the published numbers of the Adept. Erratum: skew-residue.
  */

@@ -57,7 +57,7 @@ armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_
         if (!isfinite(lengths) || !isfinite(angles)) {
             return ARMTOL_NOT_FINITE;
         }
-        tighten(&angle, i < 3 ? tolerances[i] - delta : tolerances[i], angles, errata);
+        tighten(&angle, i < 3 ? store(errata, tolerances[i] - delta) : tolerances[i], angles, errata);
         if (i < 3) {
             tighten(&distance, delta, lengths, errata);
         }

@@ -8,10 +8,10 @@
 armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q, const armtol_errata *errata)
 {
     const double alpha = store(errata, link->alpha);
-    const double theta = link->joint == ARMTOL_REVOLUTE ? store(errata, link->theta + q) : link->theta;
-    const double d = link->joint == ARMTOL_PRISMATIC ? store(errata, link->d + q) : link->d;
-    const double ct = cosine_of(errata, theta), st = sine_of(errata, theta);
-    const double ca = cosine_of(errata, alpha), sa = sine_of(errata, alpha);
+    const double theta = store(errata, link->joint == ARMTOL_REVOLUTE ? link->theta + q : link->theta);
+    const double d = store(errata, link->joint == ARMTOL_PRISMATIC ? link->d + q : link->d);
+    const double sa = store(errata, sine_of(errata, alpha)), ca = store(errata, cosine_of(errata, alpha));
+    const double st = store(errata, sine_of(errata, theta)), ct = store(errata, cosine_of(errata, theta));
     const double rows[3][4] = {
         {ct, -st, 0, link->a},
         {st * ca, ct * ca, -sa, -sa * d},

@@ -8,9 +8,9 @@
 
 armtol_transform armtol_pose_to_transform(const double pose[6], const armtol_errata *errata)
 {
-    const double cg = cosine_of(errata, pose[3]), sg = sine_of(errata, pose[3]);
-    const double cb = cosine_of(errata, pose[4]), sb = sine_of(errata, pose[4]);
-    const double ca = cosine_of(errata, pose[5]), sa = sine_of(errata, pose[5]);
+    const double cg = store(errata, cosine_of(errata, pose[3])), sg = store(errata, sine_of(errata, pose[3]));
+    const double cb = store(errata, cosine_of(errata, pose[4])), sb = store(errata, sine_of(errata, pose[4]));
+    const double ca = store(errata, cosine_of(errata, pose[5])), sa = store(errata, sine_of(errata, pose[5]));
     const double rows[3][4] = {
         {ca * cb, ca * sb * sg - sa * cg, ca * sb * cg + sa * sg, pose[0]},
         {sa * cb, sa * sb * sg + ca * cg, sa * sb * cg - ca * sg, pose[1]},

@@ -75,25 +75,33 @@ size_t armtol_joint_count(const armtol_link links[], size_t n_links)
     return count;
 }
 
-static armtol_link place(const armtol_link *link, double q, const armtol_errata *errata)
+/*
+ * The main programs kept each parameter of a link in an array of floats, a[], alpha[], d[], theta[] and beta[],
+ * constants and joint values alike. Every later stage reads these; here is where they are stored.
+ */
+static armtol_link place(const armtol_link *link, const double q[], size_t *joint, const armtol_errata *errata)
 {
-    armtol_link placed = *link;
-    double *moved = link->joint == ARMTOL_REVOLUTE ? &placed.theta : &placed.d;
-    *moved = store(errata, *moved + q);
-    return placed;
+    const double moved = link->joint == ARMTOL_FIXED ? 0 : q[(*joint)++];
+    return (armtol_link){
+        .kind = link->kind,
+        .joint = link->joint,
+        .a = store(errata, link->a),
+        .alpha = store(errata, link->alpha),
+        .d = store(errata, link->joint == ARMTOL_PRISMATIC ? link->d + moved : link->d),
+        .theta = store(errata, link->joint == ARMTOL_REVOLUTE ? link->theta + moved : link->theta),
+        .beta = store(errata, link->beta),
+    };
 }
 
-/* Whether every link keeps finite values when its joint moves. */
+/* Whether every link keeps finite values when its joint moves and its parameters are stored. */
 static armtol_status check_placing(const armtol_link links[], size_t n_links, const double q[],
                                    const armtol_errata *errata)
 {
     armtol_status status = ARMTOL_OK;
     size_t joint = 0;
     for (size_t i = 0; i < n_links && status == ARMTOL_OK; i++) {
-        if (links[i].joint != ARMTOL_FIXED) {
-            const armtol_link placed = place(&links[i], q[joint++], errata);
-            status = check_link(&placed);
-        }
+        const armtol_link placed = place(&links[i], q, &joint, errata);
+        status = check_link(&placed);
     }
     return status;
 }
@@ -113,7 +121,7 @@ armtol_status armtol_links_place(const armtol_link links[], size_t n_links, cons
     }
     size_t joint = 0;
     for (size_t i = 0; i < n_links; i++) {
-        placed[i] = links[i].joint == ARMTOL_FIXED ? links[i] : place(&links[i], q[joint++], errata);
+        placed[i] = place(&links[i], q, &joint, errata);
     }
     return ARMTOL_OK;
 }

@@ -5,6 +5,11 @@
 
 #include <math.h>
 
+static double squared_distance(double close, double theta, const armtol_errata *errata)
+{
+    return store(errata, (close - theta) * (close - theta));
+}
+
 armtol_status armtol_solve(double px, double py, double d, double close, const armtol_errata *errata,
                            double *theta)
 {
@@ -25,6 +30,8 @@ armtol_status armtol_solve(double px, double py, double d, double close, const a
     const double s = store(errata, sqrt(square));
     const double first = store(errata, angle_of(errata, px, -py) - angle_of(errata, d, s));
     const double second = store(errata, angle_of(errata, px, -py) - angle_of(errata, d, -s));
-    *theta = fabs(second - close) < fabs(first - close) ? second : first;
+    const double to_first = squared_distance(close, first, errata);
+    const double to_second = squared_distance(close, second, errata);
+    *theta = to_first <= to_second ? first : second;
     return ARMTOL_OK;
 }

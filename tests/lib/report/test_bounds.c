@@ -1,6 +1,7 @@
 #include "armtol/bounds.h"
 
 #include "support/check.h"
+#include "support/random.h"
 #include "unity.h"
 
 #include <math.h>
@@ -40,6 +41,21 @@ static void test_each_row_can_set_the_angle_bound(void)
         tolerances[row] = 2;
         const double allowed = row < 3 ? 2 - 0.5 : 2;
         check_within(1e-15, allowed / norms[row], bounds_for(tolerances, 0.5).angle, "row %d", row);
+    }
+}
+
+/* tol[i] - delta of 1987 goes into tol[], a float, before it is divided. */
+static void test_1987_stores_what_delta_leaves(void)
+{
+    random_source source = {3};
+    for (int n = 0; n < 100; n++) {
+        const float e = (float)random_between(&source, 0.5, 1), delta = (float)random_between(&source, 0, 0.5);
+        const double tolerances[6] = {100, (double)e, 100, 100, 100, 100};
+        armtol_bounds bounds;
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_norm_bounds(ordered, 5, 2, tolerances, (double)delta,
+                                                            &armtol_errata_1987, &bounds));
+        const float left = (float)((double)e - (double)delta);
+        check_same((double)(float)((double)left / 7), bounds.angle, "draw %d", n);
     }
 }
 
@@ -151,6 +167,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_each_row_can_set_the_angle_bound);
+    RUN_TEST(test_1987_stores_what_delta_leaves);
     RUN_TEST(test_the_longest_row_sets_the_distance_bound);
     RUN_TEST(test_bounds_are_inverse_to_the_matrix);
     RUN_TEST(test_an_arm_without_lengths_or_angles_is_not_bound_by_them);

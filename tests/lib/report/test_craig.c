@@ -1,6 +1,7 @@
 #include "armtol/craig.h"
 
 #include "support/check.h"
+#include "support/random.h"
 #include "unity.h"
 
 #include <math.h>
@@ -58,11 +59,38 @@ static void test_a_planar_chain_in_closed_form(void)
     check_within(1e-15, sin(0.7), t.m[1][0], "sine of the tool's angle");
 }
 
+/* What transf of 1987 does, with casts where K&R C widens: parameters, sines, cosines and output are floats. */
+static void test_1987_stores_parameters_sines_and_cosines(void)
+{
+    random_source source = {1};
+    for (int n = 0; n < 100; n++) {
+        const double a = random_between(&source, -400, 400), alpha = random_between(&source, -3, 3);
+        const double d = random_between(&source, -400, 400), theta = random_between(&source, -3, 3);
+        const armtol_craig_link link = {ARMTOL_FIXED, a, alpha, d, theta};
+        const armtol_transform t = armtol_craig_transform(&link, 0, &armtol_errata_1987);
+        const float n1 = (float)sin((double)(float)alpha), n2 = (float)cos((double)(float)alpha);
+        const float n3 = (float)sin((double)(float)theta), n4 = (float)cos((double)(float)theta);
+        const float kd = (float)d;
+        const float expected[3][4] = {
+            {n4, -n3, 0, (float)a},
+            {(float)((double)n3 * (double)n2), (float)((double)n4 * (double)n2), -n1,
+             (float)(-(double)n1 * (double)kd)},
+            {(float)((double)n3 * (double)n1), (float)((double)n4 * (double)n1), n2, (float)((double)n2 * (double)kd)},
+        };
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 4; j++) {
+                check_same((double)expected[i][j], t.m[i][j], "draw %d, row %d, column %d", n, i, j);
+            }
+        }
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_one_link_in_closed_form);
     RUN_TEST(test_joint_values_move_theta_or_d);
     RUN_TEST(test_a_planar_chain_in_closed_form);
+    RUN_TEST(test_1987_stores_parameters_sines_and_cosines);
     return UNITY_END();
 }

@@ -61,11 +61,39 @@ static void test_there_and_back(void)
     }
 }
 
+/* What eulerzyx of 1987 does, with casts where K&R C widens: sines and cosines are floats. */
+static void test_1987_stores_sines_and_cosines(void)
+{
+    random_source source = {2};
+    for (int n = 0; n < 100; n++) {
+        double pose[6];
+        for (int i = 0; i < 6; i++) {
+            pose[i] = (double)(float)random_between(&source, -3, 3);
+        }
+        const armtol_transform t = armtol_pose_to_transform(pose, &armtol_errata_1987);
+        const double cg = (double)(float)cos(pose[3]), sg = (double)(float)sin(pose[3]);
+        const double cb = (double)(float)cos(pose[4]), sb = (double)(float)sin(pose[4]);
+        const double ca = (double)(float)cos(pose[5]), sa = (double)(float)sin(pose[5]);
+        const float expected[3][3] = {
+            {(float)(ca * cb), (float)(ca * sb * sg - sa * cg), (float)(ca * sb * cg + sa * sg)},
+            {(float)(sa * cb), (float)(sa * sb * sg + ca * cg), (float)(sa * sb * cg - ca * sg)},
+            {(float)-sb, (float)(cb * sg), (float)(cb * cg)},
+        };
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                check_same((double)expected[i][j], t.m[i][j], "draw %d, row %d, column %d", n, i, j);
+            }
+            check_same(pose[i], t.m[i][3], "draw %d, row %d", n, i);
+        }
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_gamma_beta_and_alpha_turn_about_x_y_and_z);
     RUN_TEST(test_the_order_is_z_y_x);
     RUN_TEST(test_there_and_back);
+    RUN_TEST(test_1987_stores_sines_and_cosines);
     return UNITY_END();
 }

@@ -131,6 +131,37 @@ static void test_placing_refuses_a_sum_that_overflows(void)
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(arm, 2, q, 2, &armtol_errata_none, placed));
 }
 
+/* With the erratum `float` the constants of every link are floats, the fixed ones' too; else they stay as they are. */
+static void test_placing_stores_every_parameter(void)
+{
+    const double q[] = {0.1, 0.7}, value = 0.1, stored = (double)0.1f;
+    armtol_link placed[3], table[3];
+    for (int i = 0; i < 3; i++) {
+        table[i] = (armtol_link){ARMTOL_NPR, (armtol_joint)i, value, value, value, value, value};
+    }
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(table, 3, q, 2, &armtol_errata_1987, placed));
+    for (int i = 0; i < 3; i++) {
+        check_same(stored, placed[i].a, "a of link %d", i);
+        check_same(stored, placed[i].alpha, "alpha of link %d", i);
+        check_same(stored, placed[i].beta, "beta of link %d", i);
+        check_same(i == 1 ? (double)(float)(0.1 + 0.1) : stored, placed[i].theta, "theta of link %d", i);
+        check_same(i == 2 ? (double)(float)(0.1 + 0.7) : stored, placed[i].d, "d of link %d", i);
+    }
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(table, 3, q, 2, &armtol_errata_none, placed));
+    check_same(value, placed[0].a, "a, not stored");
+    check_same(value, placed[0].beta, "beta, not stored");
+}
+
+static void test_placing_refuses_a_constant_that_no_float_holds(void)
+{
+    const double q[] = {0.5, 1};
+    armtol_link placed[2];
+    good_arm();
+    arm[0].a = 1e39;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_links_place(arm, 2, q, 2, &armtol_errata_1987, placed));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_links_place(arm, 2, q, 2, &armtol_errata_none, placed));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -143,5 +174,7 @@ int main(void)
     RUN_TEST(test_placing_in_place_and_past_fixed_links);
     RUN_TEST(test_placing_refuses_what_does_not_fit);
     RUN_TEST(test_placing_refuses_a_sum_that_overflows);
+    RUN_TEST(test_placing_stores_every_parameter);
+    RUN_TEST(test_placing_refuses_a_constant_that_no_float_holds);
     return UNITY_END();
 }

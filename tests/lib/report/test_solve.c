@@ -49,6 +49,21 @@ static void test_on_a_tie_the_first_answer_comes(void)
     check_same(first, theta, "halfway");
 }
 
+/* 1e-9 beside the middle the squared distances differ by less than a float holds: a tie in 1987, none corrected. */
+static void test_1987_compares_squared_distances_as_floats(void)
+{
+    const armtol_errata *const kept = &armtol_errata_1987;
+    double theta, first, second;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_solve(1, 0, 0.5, 100, kept, &first));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_solve(1, 0, 0.5, -100, kept, &second));
+    TEST_ASSERT_TRUE(first != second && first == (double)(float)first && second == (double)(float)second);
+    const double beside = (first + second) / 2 + (second > first ? 1e-9 : -1e-9);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_solve(1, 0, 0.5, beside, kept, &theta));
+    check_same(first, theta, "kept: a tie");
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_solve(1, 0, 0.5, beside, corrected, &theta));
+    check_within(1e-6, second, theta, "corrected: the closer one");
+}
+
 static void test_at_the_edge_there_is_one_answer(void)
 {
     double theta;
@@ -77,6 +92,7 @@ int main(void)
     RUN_TEST(test_the_answer_solves_the_equation);
     RUN_TEST(test_of_two_answers_the_closer_one_comes);
     RUN_TEST(test_on_a_tie_the_first_answer_comes);
+    RUN_TEST(test_1987_compares_squared_distances_as_floats);
     RUN_TEST(test_at_the_edge_there_is_one_answer);
     RUN_TEST(test_what_has_no_answer_is_told);
     return UNITY_END();
