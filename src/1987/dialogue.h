@@ -12,6 +12,7 @@
 typedef struct dialogue {
     reader reader;
     const armtol_errata *errata; /* an answer is stored as the programs stored it */
+    size_t answered;             /* numbers, by now */
 } dialogue;
 
 typedef struct question {
@@ -31,5 +32,8 @@ void dialogue_start(dialogue *dialogue, FILE *stream, bool interactive, const ar
  */
 int dialogue_ask(dialogue *dialogue, const question *question, judge *judge, void *context,
                  double answer[]);
+
+/* After the last answer: say what is left of the input, as far as it is there by now. It stays unread. */
+void dialogue_end(dialogue *dialogue);
 
 #endif

@@ -1,10 +1,37 @@
 #include "1987/reader.h"
 
+#include <poll.h>
+#include <string.h>
+
 void reader_start(reader *reader, FILE *stream, bool interactive)
 {
     reader->stream = stream;
     reader->interactive = interactive;
+    reader->begun = false;
+    reader->waiting = true;
+    reader->looked_at = 0;
+    reader->ended = false;
     reader_drop_line(reader);
+    if (!interactive) {
+        setvbuf(stream, NULL, _IONBF, 0); /* what is ready can then be asked of the descriptor */
+    }
+}
+
+void reader_wait_no_more(reader *reader)
+{
+    reader->waiting = false;
+}
+
+/* Whether reading would not wait: never where the stream has no descriptor. */
+static bool is_ready(const reader *reader)
+{
+    struct pollfd input = {.fd = fileno(reader->stream), .events = POLLIN};
+    return input.fd < 0 || poll(&input, 1, 0) > 0;
+}
+
+bool reader_is_ahead(const reader *reader)
+{
+    return reader_words_left(reader) > 0 || is_ready(reader);
 }
 
 void reader_drop_line(reader *reader)
@@ -25,10 +52,18 @@ static char visible(int c)
     return c == '\0' ? '?' : (char)c;
 }
 
+static int next_of_stream(reader *reader)
+{
+    if (!reader->waiting && (reader->looked_at++ == READER_LINE || !is_ready(reader))) {
+        return EOF;
+    }
+    return getc(reader->stream);
+}
+
 static int next_character(reader *reader)
 {
     if (!reader->interactive) {
-        return getc(reader->stream);
+        return next_of_stream(reader);
     }
     const char c = reader->line[reader->at];
     if (c == '\0') {
@@ -46,7 +81,7 @@ static read_result why_none(const reader *reader)
     return ferror(reader->stream) ? READ_FAILED : READ_END;
 }
 
-read_result reader_next(reader *reader, char word[READER_WORD])
+static read_result next_word(reader *reader, char word[READER_WORD])
 {
     size_t length = 0;
     bool cut = false;
@@ -68,6 +103,20 @@ read_result reader_next(reader *reader, char word[READER_WORD])
     return cut ? READ_TOO_LONG : READ_WORD;
 }
 
+read_result reader_next(reader *reader, char word[READER_WORD])
+{
+    static const char mark[] = "\xef\xbb\xbf";
+    const size_t length = sizeof mark - 1;
+    const read_result result = next_word(reader, word);
+    const bool first = !reader->begun && (result == READ_WORD || result == READ_TOO_LONG);
+    reader->begun = reader->begun || first;
+    if (!first || strncmp(word, mark, length) != 0) {
+        return result;
+    }
+    memmove(word, word + length, strlen(word + length) + 1);
+    return word[0] != '\0' ? result : next_word(reader, word);
+}
+
 read_result reader_load_line(reader *reader)
 {
     size_t length = 0;
@@ -82,6 +131,7 @@ read_result reader_load_line(reader *reader)
         }
     }
     reader->line[length] = '\0';
+    reader->ended = c == EOF;
     return READ_LINE_ENDS;
 }
 

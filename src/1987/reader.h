@@ -14,8 +14,12 @@ enum { READER_LINE = 4096, READER_WORD = 512 };
 typedef struct reader {
     FILE *stream;
     bool interactive;
+    bool begun;             /* the first word has been read */
+    bool waiting;           /* for what is not there yet */
+    size_t looked_at;       /* bytes that were read without waiting */
     char line[READER_LINE]; /* interactive only, as is what follows */
     size_t at;
+    bool ended; /* the input ended in the middle of the line */
 } reader;
 
 typedef enum read_result {
@@ -28,8 +32,17 @@ typedef enum read_result {
 
 void reader_start(reader *reader, FILE *stream, bool interactive);
 
-/* The next word, cut to fit. */
+/* The next word, cut to fit. A byte order mark before the first one, which editors write, is no part of it. */
 read_result reader_next(reader *reader, char word[READER_WORD]);
+
+/*
+ * From now on words are read as far as they are there, and not without end: READER_LINE bytes at most. Whoever holds
+ * the other end of a pipe may be waiting for this program to end.
+ */
+void reader_wait_no_more(reader *reader);
+
+/* Interactive only: whether the user has typed something that was not asked for yet. */
+bool reader_is_ahead(const reader *reader);
 
 /* Interactive only: read the next line. READ_LINE_ENDS where there was one, else READ_END or READ_FAILED. */
 read_result reader_load_line(reader *reader);

@@ -114,7 +114,7 @@ static int first_part(session *session, dialogue *dialogue, const folder *folder
         return code;
     }
     report_joints(stderr, session->analysis);
-    message_answered();
+    message_answered(true);
     return write_pair(session, folder, run, REPORT_MATRIX);
 }
 
@@ -162,8 +162,12 @@ int session_run(const program *program, const options *options, const folder *fo
     if (code == EXIT_OK) {
         code = second_part(&session, &dialogue, folder, options->run);
     }
+    if (code == EXIT_OK) {
+        dialogue_end(&dialogue);
+    }
     if (code == EXIT_OK && isatty(STDERR_FILENO)) {
         warn_of_errata(program, &options->errata);
+        message_end_line(); /* a shell's prompt comes next; into a file the last prompt goes as in 1987 */
     }
     analysis_free(&analysis);
     return code;

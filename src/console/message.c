@@ -1,7 +1,6 @@
 #include "console/message.h"
 
 #include <stdarg.h>
-#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -19,8 +18,17 @@ void message_prompt(const char *prompt)
     line_open = true;
 }
 
-void message_answered(void)
+void message_answered(bool line_ended)
 {
+    line_open = !line_ended;
+    message_end_line();
+}
+
+void message_end_line(void)
+{
+    if (line_open) {
+        fputs("\n", stderr);
+    }
     line_open = false;
 }
 

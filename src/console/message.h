@@ -1,6 +1,7 @@
 #ifndef ARMTOL_CONSOLE_MESSAGE_H
 #define ARMTOL_CONSOLE_MESSAGE_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 /*
@@ -23,10 +24,13 @@ void message_note(const char *format, ...)
 
 /*
  * Ask on stderr; the line stays open for the answer. A message that comes before message_answered begins a
- * new line first.
+ * new line first. A user who answers ends the line as a rule; where the line is not ended, it is ended here.
  */
 void message_prompt(const char *prompt);
-void message_answered(void);
+void message_answered(bool line_ended);
+
+/* End the line that is open, if one is. */
+void message_end_line(void);
 
 /* Room for a quotation: message_quote(text, &(quoted){""}). */
 typedef struct quoted {

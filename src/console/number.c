@@ -2,9 +2,9 @@
 
 #include <math.h>
 #include <stdbool.h>
-#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <strings.h>
 
 static size_t digits(const char *text)
@@ -67,6 +67,11 @@ number_fault number_parse(const char *text, double *value)
     }
     *value = parsed;
     return NUMBER_FINE;
+}
+
+size_t number_typeset_minus(const char *text)
+{
+    return strncmp(text, "\xe2\x88\x92", 3) == 0 || strncmp(text, "\xe2\x80\x93", 3) == 0 ? 3 : 0;
 }
 
 const char *number_shortest(double value, const armtol_errata *errata, number_text *shortest)

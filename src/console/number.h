@@ -3,6 +3,8 @@
 
 #include "armtol/errata.h"
 
+#include <stddef.h>
+
 typedef enum number_fault {
     NUMBER_FINE,
     NUMBER_NONE,       /* not a decimal number */
@@ -16,6 +18,9 @@ typedef enum number_fault {
  * sign, digits with at most one point, exponent. The whole text has to be one; *value only changes if it is.
  */
 number_fault number_parse(const char *text, double *value);
+
+/* How many bytes of a typeset minus sign the text begins with: U+2212, or a dash (U+2013) that an editor made of it. */
+size_t number_typeset_minus(const char *text);
 
 /* Room for a number: number_shortest(value, errata, &(number_text){""}). */
 typedef struct number_text {

@@ -62,6 +62,16 @@ static void test_overflow_is_told_apart(void)
     check_fault(NUMBER_TOO_LARGE, "-1e999999999999");
 }
 
+static void test_typeset_minus_signs_are_known(void)
+{
+    TEST_ASSERT_EQUAL_INT(3, (int)number_typeset_minus("\xe2\x88\x92" "5"));
+    TEST_ASSERT_EQUAL_INT(3, (int)number_typeset_minus("\xe2\x80\x93"));
+    static const char *const others[] = {"", "-5", "5", "\xe2", "\xe2\x88", "\xe2\x80\x94" "5"};
+    for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
+        TEST_ASSERT_EQUAL_INT(0, (int)number_typeset_minus(others[i]));
+    }
+}
+
 static void check_shortest(const char *expected, double value, const armtol_errata *errata)
 {
     TEST_ASSERT_EQUAL_STRING(expected, number_shortest(armtol_stored(errata, value), errata, &(number_text){""}));
@@ -95,6 +105,7 @@ int main(void)
     RUN_TEST(test_what_is_no_decimal_number_is_refused);
     RUN_TEST(test_nan_and_infinity_are_told_apart);
     RUN_TEST(test_overflow_is_told_apart);
+    RUN_TEST(test_typeset_minus_signs_are_known);
     RUN_TEST(test_a_stored_number_is_shown_as_it_was_typed);
     RUN_TEST(test_each_fault_has_a_text_of_its_own);
     return UNITY_END();

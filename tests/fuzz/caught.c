@@ -35,7 +35,7 @@ void caught_forget(void)
 {
     fflush(stderr);
     caught.length = 0;
-    message_answered(); /* an input before may have ended in the middle of a prompt */
+    message_answered(true); /* an input before may have ended in the middle of a prompt */
 }
 
 size_t caught_length(void)

@@ -198,17 +198,20 @@ static bool begins(const char *line, const char *words)
 }
 
 typedef struct said {
-    size_t messages;
+    size_t messages; /* warnings apart */
+    size_t warnings;
     bool message_last;
     bool joints;
 } said;
 
 static said listen(const program *program)
 {
-    said said = {0, false, false};
+    said said = {0, 0, false, false};
     for (const char *line = behind_prompts(caught_text()); *line != '\0'; line = behind_prompts(line)) {
         said.message_last = begins(line, program->name) && begins(line + strlen(program->name), ": ");
-        said.messages += said.message_last;
+        const bool warning = said.message_last && begins(line + strlen(program->name), ": warning: ");
+        said.warnings += warning;
+        said.messages += said.message_last && !warning;
         said.joints = said.joints || begins(line, "itheta[0] = ");
         line += strcspn(line, "\n");
         line += *line == '\n';
@@ -229,6 +232,7 @@ static void check_said(const program *program, int code)
     REQUIRE(code == EXIT_OK || code == EXIT_WRONG);
     REQUIRE(code == EXIT_OK ? at_work.pairs == 2 : at_work.pairs < 2);
     REQUIRE(at_work.terminal || said.messages == (code == EXIT_OK ? 0 : 1));
+    REQUIRE(said.warnings <= (code == EXIT_OK ? 1 : 0));
     REQUIRE(code == EXIT_OK || said.message_last);
     REQUIRE(said.joints == (at_work.pairs > 0));
     check_ascii();

@@ -134,6 +134,76 @@ static void test_wrong_answers_on_the_screen(void)
     text_check(session, strlen(session), &process.errors, "a session with wrong answers");
 }
 
+/* As in 1987 a number too many answers the next question; it is said before that is asked. */
+static void test_more_on_a_line_than_asked_for(void)
+{
+    static const char session[] =
+        "enter desired position: 200 200 0 0 7\n"
+        "itheta[0] = -0.262798\nitheta[1] = 2.429293\nitheta[2] = -2.166495\nitheta[3] = -203.199997\n"
+        "check[0] = 200.000717\ncheck[1] = 200.000702\ncheck[2] = 0.000000\ncheck[3] = -0.000000\n"
+        "adpta: more on the line than was asked for: \"7\" is taken as dx\n"
+        "enter desired position and orientation tolerances: \n"
+        "adpta: dy: missing; go on with dy dz dwx dwy dwz, or type all 6 numbers again\n"
+        ".5 .5 .5 .1 .1 .1 .1 8 9\n"
+        "adpta: more on the line than was asked for: \".1\" is taken as delta, and so on\n"
+        "enter desired delta: \n"
+        "adpta: warning: more than the 11 numbers asked for; not used: \".1\" \"8\" \"9\"\n"
+        "These are the numbers of 1987, errata included; for an arm to be built: adpta --fix all\n";
+    const string folder = folder_new();
+    const process_setup setup = {
+        .program = programs[1].path, .folder = folder.text, .wires = ALL_ON_TERMINAL};
+    process process;
+    process_start(&process, &setup);
+    process_expect(&process, "position: ");
+    process_say(&process, "200 200 0 0 7\n");
+    process_expect(&process, "again\n");
+    process_say(&process, ".5 .5 .5 .1 .1 .1 .1 8 9\n");
+    process_finish(&process);
+    process_check_status(&process, 0, "more on a line than asked for");
+    text_check(session, strlen(session), &process.errors, "more on a line than asked for");
+}
+
+/* The terminal shows at once what is pasted, and the prompts that come after it stand on lines of their own. */
+static void test_a_pasted_session(void)
+{
+    for (int i = 0; i < PROGRAMS; i++) {
+        const string folder = folder_new(), wish = right_answer(&programs[i], QUESTION_WISH);
+        const string tolerances = right_answer(&programs[i], QUESTION_TOLERANCES);
+        const string delta = right_answer(&programs[i], QUESTION_DELTA);
+        const string pasted = string_of("%s%s%s", wish.text, tolerances.text, delta.text);
+        const string end = string_of("\n%s\n%s\n" NOTE_1987, prompts[QUESTION_TOLERANCES], prompts[QUESTION_DELTA],
+                                     programs[i].name);
+        const process_setup setup = {
+            .program = programs[i].path, .folder = folder.text, .wires = ALL_ON_TERMINAL};
+        process process;
+        process_start(&process, &setup);
+        process_expect(&process, prompts[QUESTION_WISH]);
+        process_say(&process, pasted.text);
+        process_finish(&process);
+        process_check_status(&process, 0, programs[i].name);
+        const size_t length = strlen(end.text);
+        TEST_ASSERT_TRUE_MESSAGE(process.errors.length > length, process.errors.bytes);
+        TEST_ASSERT_EQUAL_STRING(end.text, process.errors.bytes + process.errors.length - length);
+    }
+}
+
+/* With nothing to note, the line of the last prompt ends all the same: a shell's prompt comes next. */
+static void test_the_last_line_on_a_screen_ends(void)
+{
+    static const char *const arguments[] = {"--fix", "all", NULL};
+    const string folder = folder_new(), input = right_answers(&programs[0]);
+    const process_setup setup = {.program = programs[0].path,
+                                 .arguments = arguments,
+                                 .folder = folder.text,
+                                 .wires = {WIRE_PIPE, WIRE_PIPE, WIRE_TERMINAL}};
+    process process;
+    process_run(&process, &setup, input.text);
+    process_check_status(&process, 0, "a pipe and a screen");
+    const string last = process_last_line(&process);
+    TEST_ASSERT_EQUAL_INT('\n', process.errors.bytes[process.errors.length - 1]);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(last.text, prompts[QUESTION_DELTA]), last.text);
+}
+
 /* The input ends; or a folder has the name of the last file. */
 static void test_no_note_when_the_run_fails(void)
 {
@@ -200,6 +270,9 @@ int main(void)
     RUN_TEST(test_corrected_sessions);
     RUN_TEST(test_partly_corrected_sessions);
     RUN_TEST(test_wrong_answers_on_the_screen);
+    RUN_TEST(test_more_on_a_line_than_asked_for);
+    RUN_TEST(test_a_pasted_session);
+    RUN_TEST(test_the_last_line_on_a_screen_ends);
     RUN_TEST(test_no_note_when_the_run_fails);
     RUN_TEST(test_note_is_a_line_of_its_own);
     RUN_TEST(test_no_note_in_a_file);

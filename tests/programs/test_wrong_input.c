@@ -153,6 +153,7 @@ typedef struct bad_word {
 #define BYTES(literal) (literal), sizeof(literal) - 1
 
 #define NOT_A_NUMBER "is not a number; expected a decimal number"
+#define NOT_SEPARATED "is not a number; expected numbers separated by blanks, with a point for decimals"
 #define NOT_FINITE "is not a finite number"
 #define TOO_LARGE "is too large a number"
 
@@ -169,8 +170,12 @@ static const bad_word bad_words[] = {
     {BYTES("--5"), NULL, NOT_A_NUMBER, ON_BOTH},
     {BYTES("."), NULL, NOT_A_NUMBER, ON_BOTH},
     {BYTES("-.e1"), NULL, NOT_A_NUMBER, ON_BOTH},
-    {BYTES("200,200"), NULL, NOT_A_NUMBER, ON_BOTH},
-    {BYTES("1,5"), NULL, NOT_A_NUMBER, ON_BOTH},
+    {BYTES("200,200"), NULL, NOT_SEPARATED, ON_BOTH},
+    {BYTES("200, 200, 0"), "200,", NOT_SEPARATED, ON_BOTH},
+    {BYTES("1,5"), NULL, NOT_SEPARATED, ON_BOTH},
+    {BYTES("1;5"), NULL, NOT_SEPARATED, ON_BOTH},
+    {BYTES("200:"), NULL, NOT_SEPARATED, ON_BOTH},
+    {BYTES("|200"), NULL, NOT_SEPARATED, ON_BOTH},
     {BYTES("200mm"), NULL, NOT_A_NUMBER, ON_BOTH},
     {BYTES("nan(1)"), NULL, NOT_A_NUMBER, ON_BOTH},
     {BYTES("information"), NULL, NOT_A_NUMBER, ON_BOTH},
@@ -187,7 +192,9 @@ static const bad_word bad_words[] = {
     {BYTES("-infinity"), NULL, NOT_FINITE, ON_BOTH},
     {BYTES("1e999"), NULL, TOO_LARGE, ON_BOTH},
     {BYTES("-1e999"), NULL, TOO_LARGE, ON_BOTH},
-    /* control characters, which a terminal would act on */
+    /* what an arrow sends, and other control characters, which a terminal would act on */
+    {BYTES("\033[A"), "?[A", NOT_A_NUMBER " such as 200 or -1.5e2; arrows and such keys edit nothing here", ON_BOTH},
+    {BYTES("200\033OD"), "200?OD", NOT_A_NUMBER " such as 200 or -1.5e2; arrows", ON_BOTH},
     {BYTES("\033[31m200"), "?[31m200", NOT_A_NUMBER, ON_BOTH},
     {BYTES("\001\a200"), "??200", NOT_A_NUMBER, ON_BOTH},
     {BYTES("20\b0"), "20?0", NOT_A_NUMBER, ON_BOTH},
@@ -601,6 +608,20 @@ static void test_end_of_input_within_a_line(void)
     }
 }
 
+/* What was typed is no part of the message's line. */
+static void test_the_message_of_an_end_within_a_line(void)
+{
+    static const char session[] = "enter desired position: 200 200\n"
+                                  "adpta: z: missing; expected 4 numbers (x y z theta), got 2\n";
+    const string folder = folder_new();
+    process process;
+    start_on_terminal(&process, &programs[1], NULL, folder.text, QUESTION_WISH);
+    process_say(&process, "200 200\004\004");
+    process_finish(&process);
+    process_check_status(&process, 2, "an end within a line");
+    text_check(session, strlen(session), &process.errors, "an end within a line");
+}
+
 /* Start on a terminal, answer right before the question, there type a line of words, fewer than asked for. */
 static void type_too_few(process *process, const tested *program, int question, size_t at, const char *words,
                          const char *folder)
@@ -743,6 +764,123 @@ static void test_numbers_in_other_forms(void)
     }
 }
 
+/* As documents have them: a minus sign, a dash in its place, and the mark that some editors begin a file with. */
+static void test_numbers_out_of_a_document(void)
+{
+    static const char *const minus[] = {"\xe2\x88\x92", "\xe2\x80\x93"};
+    for (int i = 0; i < PROGRAMS; i++) {
+        const string rest = words_between(&programs[i], 1, programs[i].starts[QUESTIONS]);
+        for (size_t j = 0; j < sizeof minus / sizeof minus[0]; j++) {
+            const string input = string_of("20000e%s2 %s", minus[j], rest.text);
+            const string below_0 = string_of("%s.5 1 1 1 1 1", minus[j]);
+            const wrong wrong = {&programs[i], false, QUESTION_TOLERANCES, below_0.text, 0,
+                                 "dx: -0.5 is no tolerance", ON_BOTH};
+            check_shape_on_pipe(&programs[i], input.text);
+            check_wrong(&wrong);
+        }
+        const string all = right_answers(&programs[i]);
+        const string marked = string_of("\xef\xbb\xbf%s", all.text), apart = string_of("\xef\xbb\xbf\n%s", all.text);
+        check_shape_on_pipe(&programs[i], marked.text);
+        check_shape_on_pipe(&programs[i], apart.text);
+        check_shape_on_terminal(&programs[i], marked.text);
+        const wrong later = {&programs[i], false, QUESTION_DELTA, "\xef\xbb\xbf" "1", 0, "delta: \"???1\"", ON_BOTH};
+        check_wrong(&later);
+    }
+}
+
+/* ---- more than was asked for ---- */
+
+/* The run is a right one; what scanf would have left is named. */
+static void check_left_over(const tested *program, const char *more, const char *named)
+{
+    const string all = right_answers(program), input = string_of("%s%s", all.text, more), folder = folder_new();
+    const string warning = string_of("warning: more than the %zu numbers asked for; not used: %s",
+                                     program->starts[QUESTIONS], named);
+    const process_setup setup = {.program = program->path, .folder = folder.text};
+    process process;
+    process_start(&process, &setup);
+    process_say(&process, input.text);
+    check_right_end(&process, program, folder.text, golden_1987, warning.text);
+    check_message(&process, program, warning.text, warning.text);
+    const string line = process_last_line(&process);
+    TEST_ASSERT_EQUAL_STRING(named, line.text + strlen(line.text) - strlen(named));
+}
+
+static void test_left_over_input_is_named(void)
+{
+    for (int i = 0; i < PROGRAMS; i++) {
+        check_left_over(&programs[i], "7", "\"7\"");
+        check_left_over(&programs[i], "\n .1 \033[A\n", "\".1\" \"?[A\"");
+        check_left_over(&programs[i], "1 2 3 4 5 6", "\"1\" \"2\" \"3\" \"4\" \"5\" \"6\"");
+        check_left_over(&programs[i], "1 2 3 4 5 6 7", "\"1\" \"2\" \"3\" \"4\" \"5\" \"6\" ...");
+    }
+}
+
+/* What goes on and on is not looked at to its end. */
+static void test_no_end_of_left_over_input(void)
+{
+    static char blanks[20000];
+    const string folder = folder_new(), all = right_answers(&programs[0]);
+    const process_setup setup = {.program = programs[0].path, .folder = folder.text};
+    process process;
+    memset(blanks, '\n', sizeof blanks);
+    process_start(&process, &setup);
+    process_say(&process, all.text);
+    process_send(&process, blanks, sizeof blanks);
+    process_say(&process, "7");
+    check_right_end(&process, &programs[0], folder.text, golden_1987, "blanks without end");
+    TEST_ASSERT_NULL_MESSAGE(strstr(process.errors.bytes, "warning"), process.errors.bytes);
+}
+
+/* One that is too many moves all that follow, as it did in 1987. */
+static void test_a_number_too_many_through_a_pipe(void)
+{
+    const string folder = folder_new(), name = file_of(folder.text, &programs[0], FILE_TOLERANCES);
+    process process;
+    text tolerances;
+    run_in(folder.text, &programs[0], NULL, "200 200 0 0 1.57 0 7\n.5 .5 .5 .1 .1 .1\n.1\n", &process);
+    process_check_status(&process, 0, "a 7th number");
+    check_message(&process, &programs[0], "warning: more than the 13 numbers asked for; not used: \".1\"",
+                  "a 7th number");
+    file_read(name.text, &tolerances);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(tolerances.bytes, "7.0"), tolerances.bytes);
+}
+
+/* Whoever keeps the other end of a pipe open waits for the program, not the program for more. */
+static void test_an_open_pipe_is_not_waited_for(void)
+{
+    const string all = right_answers(&programs[0]), folder = folder_new();
+    const string file = file_of(folder.text, &programs[0], FILE_MACHINING);
+    const process_setup setup = {.program = programs[0].path, .folder = folder.text};
+    process process;
+    process_start(&process, &setup);
+    process_say(&process, all.text);
+    process_say(&process, "7\n");
+    process_expect(&process, "not used: \"7\"\n"); /* the input has not ended yet */
+    check_right_end(&process, &programs[0], folder.text, golden_1987, file.text);
+}
+
+/* Two programs, one file: the second finds its own numbers, though the first has looked at them. */
+static void test_the_rest_of_a_file_stays_unread(void)
+{
+    const string folder = folder_new(), path = string_of("%s/both", folder.text);
+    const string here = folder_below(folder.text, "files");
+    const string one = right_answers(&programs[0]), other = right_answers(&programs[1]);
+    const string both = string_of("%s%s", one.text, other.text);
+    const string line = string_of("'%s' && '%s'", programs[0].path, programs[1].path);
+    const char *const arguments[] = {"-c", line.text, NULL};
+    const process_setup setup = {
+        .program = "/bin/sh", .arguments = arguments, .folder = here.text, .input_path = path.text};
+    process process;
+    file_write(path.text, both.text);
+    process_start(&process, &setup);
+    process_finish(&process);
+    process_check_status(&process, 0, "two programs and one file");
+    for (int i = 0; i < PROGRAMS; i++) {
+        check_golden(here.text, 1, &programs[i], golden_1987, 1, FILES, programs[i].name);
+    }
+}
+
 /* ---- input that cannot be read, which is no wrong answer ---- */
 
 static void check_unreadable(const tested *program, const process_setup *kind, int status, const char *words)
@@ -792,10 +930,17 @@ int main(void)
     RUN_TEST(test_missing_numbers_on_a_pipe);
     RUN_TEST(test_end_of_input_on_a_terminal);
     RUN_TEST(test_end_of_input_within_a_line);
+    RUN_TEST(test_the_message_of_an_end_within_a_line);
     RUN_TEST(test_too_few_numbers_on_a_terminals_line);
     RUN_TEST(test_numbers_over_many_lines_or_on_one);
     RUN_TEST(test_answers_cut_anywhere);
     RUN_TEST(test_numbers_in_other_forms);
+    RUN_TEST(test_numbers_out_of_a_document);
+    RUN_TEST(test_left_over_input_is_named);
+    RUN_TEST(test_no_end_of_left_over_input);
+    RUN_TEST(test_a_number_too_many_through_a_pipe);
+    RUN_TEST(test_an_open_pipe_is_not_waited_for);
+    RUN_TEST(test_the_rest_of_a_file_stays_unread);
     RUN_TEST(test_input_that_cannot_be_read);
     return UNITY_END();
 }

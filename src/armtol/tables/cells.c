@@ -241,15 +241,9 @@ bool cell_is(const cell *cell, const char *word)
     return strcasecmp(cell->text, word) == 0;
 }
 
-/* How many bytes of a minus sign the text begins with: U+2212, or a dash (U+2013) that an editor made of it. */
-static size_t typeset_minus(const char *text)
-{
-    return strncmp(text, "\xe2\x88\x92", 3) == 0 || strncmp(text, "\xe2\x80\x93", 3) == 0 ? 3 : 0;
-}
-
 bool cell_is_unknown(const cell *cell)
 {
-    const size_t minus = typeset_minus(cell->text);
+    const size_t minus = number_typeset_minus(cell->text);
     return cell->text[0] == '\0' || cell_is(cell, "-") || (minus > 0 && cell->text[minus] == '\0');
 }
 
@@ -261,7 +255,7 @@ number_fault cells_number(const cell_row *row, size_t index, cell_number *number
         if (length == sizeof number->text - 1) {
             return NUMBER_TOO_LONG;
         }
-        const size_t minus = typeset_minus(from);
+        const size_t minus = number_typeset_minus(from);
         number->text[length] = minus > 0 ? '-' : *from == ',' && decimal_comma ? '.' : *from;
         from += minus > 0 ? minus : 1;
     }
