@@ -16,6 +16,9 @@ void tearDown(void)
 
 static process process_of;
 
+/* Named from their folder: messages quote the beginning of a name only, and a clone may lie anywhere. */
+#define PUBLISHED "published.tsv"
+
 /* Run it on the published numbers; arguments go up to a NULL. */
 static void run(const char *const arguments[], const char *output_path)
 {
@@ -24,8 +27,9 @@ static void run(const char *const arguments[], const char *output_path)
     for (; arguments[n] != NULL; n++) {
         all[n] = arguments[n];
     }
-    all[n] = TEST_PUBLISHED;
-    const process_setup setup = {.program = TEST_JOINT_ORDERS, .arguments = all, .output_path = output_path};
+    all[n] = PUBLISHED;
+    const process_setup setup = {
+        .program = TEST_JOINT_ORDERS, .arguments = all, .folder = TEST_GOLDEN, .output_path = output_path};
     process_run(&process_of, &setup, "");
 }
 
@@ -128,9 +132,9 @@ static void test_wrong_usage_is_named(void)
                   "joint-orders: --format: unknown format \"html\"; expected text, markdown or tsv\n");
     check_refuses(WITH("--colour"),
                   "joint-orders: unknown option \"--colour\"; expected options as in --help\n");
-    check_refuses(WITH("here"), "joint-orders: unexpected argument \"" TEST_PUBLISHED
+    check_refuses(WITH("here"), "joint-orders: unexpected argument \"" PUBLISHED
                                 "\"; expected joint-orders [OPTION]... PUBLISHED\n");
-    check_refuses(WITH("--show"), "joint-orders: --show: unknown part \"" TEST_PUBLISHED
+    check_refuses(WITH("--show"), "joint-orders: --show: unknown part \"" PUBLISHED
                                   "\"; expected parts as in --help\n");
 }
 

@@ -13,7 +13,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-enum { MOST = 16, LENGTH = 256 };
+enum { MOST = 16, LENGTH = 4400 /* the longest path and more */ };
 static char texts[MOST][LENGTH];
 
 /* What it prints before memory runs out is nobody's business here. */
