@@ -17,7 +17,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz mutants
-.PHONY: all run check test tests golden diff era machines book book-check check-faults dist install clean setup
+.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
 
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
@@ -82,13 +82,18 @@ bench: setup
 	@$(BUILD)/armtol_bench
 	@$(BUILD)/armtol_bench_any
 
-# The lab book: its tables and figures made anew (figures where gnuplot is), or held against the programs.
+# The lab book: its tables and figures made anew, or held against the programs.
 book: all
 	@docs/lab-book/make-book $(BUILD)
 
 book-check: all
 	@docs/lab-book/make-book --check $(BUILD)
 	@docs/lab-book/check-numbers
+
+# The checks of the lab book's exercises: do they take what is right, and nothing else?
+exercises: all
+	@.ci/setup --wish python3
+	@BUILD=$(BUILD) docs/lab-book/check-exercise --all
 
 # Which lines and branches the tests run. Needs gcc and gcovr.
 coverage: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
