@@ -52,8 +52,10 @@ diff: all
 	@diff -ru golden/1987 $(BUILD)/run/1987 && diff -ru golden/corrected $(BUILD)/run/corrected && \
 	diff -ru golden/armtol $(BUILD)/run/armtol && echo "no difference from golden/"
 
-# The legacy programs on an emulated 68020, nothing modelled. Needs Debian's cross compiler and qemu-user.
+# The legacy programs on an emulated 68020, nothing modelled. Needs Debian's cross compiler and qemu-user, and installs
+# them where it may.
 era: all
+	@.ci/setup m68k-linux-gnu-gcc qemu-m68k
 	@legacy/era $(BUILD)/reproduce golden $(BUILD)/era
 
 # The programs on emulated machines of other kinds (MACHINES=aarch64 for one of them): the bytes of golden/. Needs

@@ -1,214 +1,350 @@
 /*
  * adpta.c -- tolerances for the Adept AdeptOne
  *
- * After the program of T. J. Hahn, Berkeley, May 1987.  A reconstruction,
- * not the listing: see legacy/README.md.
+ * The listing's main and mach, the listing's names and order; the comments are ours: see README.md. It asks for a
+ * position, writes the error matrix A of that position and again with distances before angles, asks for tolerances, and
+ * writes by how much the parameters, and by how much parts and motors, may be off. mm and radians.
  */
 
 #include <stdio.h>
-#include <math.h>
-#include "matrix4.h"
-#include "kinematic.h"
-#include "kinematic2.h"
 #include "adept.h"
+#include "kinematic2.h"
+#include "inverse.h"		/* [ours inverse] */
 
-#define NP	25		/* parameters */
-#define ND	9		/* of these, distances */
+#define OUTPUT "adpta.1"
+#define OUTPUT2 "adptat.1"
+#define OUTPUT3 "adpttol.1"
+#define OUTPUT4 "adptmach.1"
+#define PI 3.14159		/* a second time: the robot's header has it too */
+#define MA0 (0.)
+#define MA1 (0.)
+#define MA2 (425.)
+#define MA3 (375.)
+#define MA4 (0.)
+#define MA5 (0.)
+#define MALPHA0 (0.)
+#define MALPHA1 (0.)
+#define MALPHA2 (0.)
+#define MALPHA3 (0.)
+#define MALPHA4 (0.)
+#define MALPHA5 (PI/2.)
+#define MD0 (203.2)
+#define MD1 (0.)
+#define MD2 (0.)
+#define MD3 (0.)
+#define MD4 (0.)
+#define MD5 (0.)
+#define MBETA0 (0.)
+#define MBETA1 (0.)
+#define MBETA2 (0.)
+#define MBETA3 (0.)
+#define MBETA4 (0.)
+#define MBETA5 (0.)
 
-/* links in the order of Eq. (4.1); 0 is the base, 5 the tool */
-
-#define A0	0.		/* npr */
-#define AL0	0.
-#define D0	203.2
-#define TH0	PI
-#define A1	0.		/* ppr */
-#define AL1	0.
-#define D1	0.
-#define A2	425.		/* ppr */
-#define AL2	0.
-#define D2	0.
-#define A3	375.		/* ppr */
-#define AL3	0.
-#define D3	0.
-#define A4	0.		/* ppp */
-#define AL4	0.
-#define TH4	0.
-#define A5	0.		/* npr */
-#define AL5	PI/2
-#define D5	0.
-#define TH5	PI
-#define BETA	0.
-
-float x, y, z, t;			/* what is wished */
-float itheta[4], check[4];
-float m0[4][4], m1[4][4], m2[4][4], m3[4][4], m4[4][4], m5[4][4];
-float G0[6][4], G1[6][4], G2[6][4], G3[6][4], G4[6][5], G5[6][4];
-float J0[6][6], J1[6][6], J2[6][6], J3[6][6], J4[6][6], J5[6][6];
-float W1[6][6], W2[6][6], W3[6][6], W4[6][6], W5[6][6];
-float B0[6][4], B1[6][4], B2[6][4], B3[6][4], B4[6][5], B5[6][4];
-float A[NP][6], AT[NP][6];
-float e[6], delta;
-float abnd, dbnd;
-float ad, dd, ag;
-float rd[6], ggd[6], td[4];
-
-/* distances before angles */
-int order[NP] = {
-	2, 18, 23,					/* a beside d */
-	1, 5, 9, 13, 16, 22,				/* d, or a */
-	0, 4, 8, 12, 17, 21,				/* theta */
-	3, 6, 10, 14, 19, 24,				/* alpha */
-	7, 11, 15, 20					/* beta */
-};
-
+/* [printed] but for what is marked */
 main()
 {
-	FILE *fp;
+	UNSET float a[6],		/* [ours unset] for g4 */
+		alpha[6],
+		d[6],
+		delta,
+		tol[6],
+		tolo[6],
+		norm[6],
+		minr,
+		mint,
+		ad,
+		dd,
+		gd,
+		md,
+		td[4],
+		ggd[6],
+		rd[6],
+		x[4],
+		theta[6],
+		beta[6],
+		itheta[4],
+		tclose[4],
+		check[4],
+		t00[4][4],
+		tw0[4][4],
+		t01[4][4],
+		t12[4][4],
+		t23[4][4],
+		t34[4][4],
+		t4t[4][4],
+		jw0[6][6],
+		j01[6][6],
+		j12[6][6],
+		j23[6][6],
+		j34[6][6],
+		j4t[6][6],
+		jw1[6][6],
+		jw2[6][6],
+		jw3[6][6],
+		jw4[6][6],
+		jwt[6][6],
+		g0[6][4],
+		g1[6][4],
+		g2[6][4],
+		g3[6][4],
+		g4[6][5],
+		gt[6][4],
+		a0[6][4],
+		a1[6][4],
+		a2[6][4],
+		a3[6][4],
+		a4[6][5],
+		at[6][4],
+		aat[6][25],
+		aa[6][25];
 
-	fprintf(stderr, "enter desired position: ");
-	scanf("%f", &x);
-	scanf("%f", &y);
-	scanf("%f", &z);
-	scanf("%f", &t);
+	int i,
+		j,
+		k;
 
-	invkin(x, y, z, t, itheta);
-	fprintf(stderr, "itheta[0] = %f\n", itheta[0]);
-	fprintf(stderr, "itheta[1] = %f\n", itheta[1]);
-	fprintf(stderr, "itheta[2] = %f\n", itheta[2]);
-	fprintf(stderr, "itheta[3] = %f\n", itheta[3]);
+	FILE *file,*fopen();
 
-	fwdkin(itheta, T);
-	check[0] = T[0][3];
-	check[1] = T[1][3];
-	check[2] = T[2][3];
-	check[3] = atan2(T[1][0], T[0][0]);
-	fprintf(stderr, "check[0] = %f\n", check[0]);
-	fprintf(stderr, "check[1] = %f\n", check[1]);
-	fprintf(stderr, "check[2] = %f\n", check[2]);
-	fprintf(stderr, "check[3] = %f\n", check[3]);
+	a[0] = MA0;
+	a[1] = MA1;
+	a[2] = MA2;
+	a[3] = MA3;
+	a[4] = MA4;
+	a[5] = MA5;
+	alpha[0] = MALPHA0;
+	alpha[1] = MALPHA1;
+	alpha[2] = MALPHA2;
+	alpha[3] = MALPHA3;
+	alpha[4] = MALPHA4;
+	alpha[5] = MALPHA5;
+	d[0] = MD0;
+	d[1] = MD1;
+	d[2] = MD2;
+	d[3] = MD3;
+	d[4] = MD4;
+	d[5] = MD5;
+	beta[0] = MBETA0;
+	beta[1] = MBETA1;
+	beta[2] = MBETA2;
+	beta[3] = MBETA3;
+	beta[4] = MBETA4;
+	beta[5] = MBETA5;
 
-	mtransf(A0, AL0, D0, TH0, BETA, m0);
-	mtransf(A1, AL1, D1, itheta[0], BETA, m1);
-	mtransf(A2, AL2, D2, itheta[1], BETA, m2);
-	mtransf(A3, AL3, D3, itheta[2], BETA, m3);
-	mtransf(A4, AL4, itheta[3], TH4, BETA, m4);
-	mtransf(A5, AL5, D5, TH5, BETA, m5);
+	for(i=0;i<4;i++) tclose[i] = 0.;
+	fprintf(stderr,"enter desired position: ");
+	fscanf(stdin,"%f %f %f %f",&x[0],&x[1],&x[2],&x[3]);
+	invadept(x,tclose,itheta);
+	adept(itheta,t00);
+	check[0] = t00[0][3];
+	check[1] = t00[1][3];
+	check[2] = t00[2][3];
+	check[3] = atan2(t00[1][0],t00[0][0]);
+	for(i=0;i<4;i++) fprintf(stderr,"itheta[%d] = %f\n",i,itheta[i]);
+	for(i=0;i<4;i++) fprintf(stderr,"check[%d] = %f\n",i,check[i]);
+	theta[0] = PI;
+	for(i=0;i<4;i++){
+		theta[i+1] = itheta[i];
+	}
+	theta[5] = PI;
 
-	gnpr(A0, AL0, G0);
-	gppr(AL1, D1, BETA, G1);
-	gppr(AL2, D2, BETA, G2);
-	gppr(AL3, D3, BETA, G3);
-	gppp(A4, AL4, BETA, G4);
-	gnpr(A5, AL5, G5);
+	/* the fourth joint slides: its value is a d */
+	theta[4] = 0.;
+	d[4] = itheta[3];
 
-	getj(m0, J0);
-	getj(m1, J1);
-	getj(m2, J2);
-	getj(m3, J3);
-	getj(m4, J4);
-	getj(m5, J5);
+	mtransf(a[0],alpha[0],d[0],theta[0],beta[0],tw0);
+	mtransf(a[1],alpha[1],d[1],theta[1],beta[1],t01);
+	mtransf(a[2],alpha[2],d[2],theta[2],beta[2],t12);
+	mtransf(a[3],alpha[3],d[3],theta[3],beta[3],t23);
+	mtransf(a[4],alpha[4],d[4],theta[4],beta[4],t34);
+	mtransf(a[5],alpha[5],d[5],theta[5],beta[5],t4t);
 
-	mul64(J0, G0, B0);
-	mul66(J0, J1, W1);
-	mul64(W1, G1, B1);
-	mul66(W1, J2, W2);
-	mul64(W2, G2, B2);
-	mul66(W2, J3, W3);
-	mul64(W3, G3, B3);
-	mul66(W3, J4, W4);
-	mul65(W4, G4, B4);
-	mul66(W4, J5, W5);
-	mul64(W5, G5, B5);
+	gnpr(a[0],alpha[0],g0);
+	gppr(alpha[1],d[1],beta[1],g1);
+	gppr(alpha[2],d[2],beta[2],g2);
+	gppr(alpha[3],d[3],beta[3],g3);
+	gppp(a[4],alpha[4],beta[4],g4);
+	gnpr(a[5],alpha[5],gt);
 
-	put4(B0, A);
-	put4(B1, A+4);
-	put4(B2, A+8);
-	put4(B3, A+12);
-	put5(B4, A+16);
-	put4(B5, A+21);
+	getj(tw0,jw0);
+	getj(t01,j01);
+	getj(t12,j12);
+	getj(t23,j23);
+	getj(t34,j34);
+	getj(t4t,j4t);
 
-	fp = fopen("adpta.1", "w");
-	put6(fp, A, NP);
-	fclose(fp);
+	mpy664(jw0,g0,a0);
+	mpy666(jw0,j01,jw1);
+	mpy664(jw1,g1,a1);
+	mpy666(jw1,j12,jw2);
+	mpy664(jw2,g2,a2);
+	mpy666(jw2,j23,jw3);
+	mpy664(jw3,g3,a3);
+	mpy666(jw3,j34,jw4);
+	mpy665(jw4,g4,a4);
+	mpy666(jw4,j4t,jwt);
+	mpy664(jwt,gt,at);
 
-	sort6(A, order, NP, AT);
-	fp = fopen("adptat.1", "w");
-	put6(fp, AT, NP);
-	fclose(fp);
+	for(i=0;i<6;i++){
+		k=0;
+		for(j=0;j<4;j++){
+			aa[i][j + 4*k] = a0[i][j];
+		}
+		k++;
+		for(j=0;j<4;j++){
+			aa[i][j + 4*k] = a1[i][j];
+		}
+		k++;
+		for(j=0;j<4;j++){
+			aa[i][j + 4*k] = a2[i][j];
+		}
+		k++;
+		for(j=0;j<4;j++){
+			aa[i][j + 4*k] = a3[i][j];
+		}
+		k++;
+		for(j=0;j<5;j++){
+			aa[i][j + 4*k] = a4[i][j];
+		}
+		k++;
+		for(j=0;j<4;j++){
+			aa[i][j + 4*k + 1] = at[i][j];
+		}
+	}
 
-	fprintf(stderr, "enter desired position and orientation tolerances: ");
-	scanf("%f", &e[0]);
-	scanf("%f", &e[1]);
-	scanf("%f", &e[2]);
-	scanf("%f", &e[3]);
-	scanf("%f", &e[4]);
-	scanf("%f", &e[5]);
-	fprintf(stderr, "enter desired delta: ");
-	scanf("%f", &delta);
+	file = fopen(OUTPUT,"w");
+	for(i=0;i<25;i++){
+		fprintf(file,"%11.6f %11.6f %11.6f %11.6f %11.6f %11.6f\n",aa[0][i], aa[1][i],aa[2][i],aa[3][i],
+			aa[4][i],aa[5][i]);
+	}
+	fclose(file);
 
-	abnd = abound(AT, ND, NP, e, delta);
-	dbnd = dbound(AT, 0, ND, delta);
+	for(i=0;i<6;i++){
+		aat[i][9] = aa[i][0];
+		aat[i][3] = aa[i][1];
+		aat[i][0] = aa[i][2];
+		aat[i][15] = aa[i][3];
+		aat[i][10] = aa[i][4];
+		aat[i][4] = aa[i][5];
+		aat[i][16] = aa[i][6];
+		aat[i][21] = aa[i][7];
+		aat[i][11] = aa[i][8];
+		aat[i][5] = aa[i][9];
+		aat[i][17] = aa[i][10];
+		aat[i][22] = aa[i][11];
+		aat[i][12] = aa[i][12];
+		aat[i][6] = aa[i][13];
+		aat[i][18] = aa[i][14];
+		aat[i][23] = aa[i][15];
+		aat[i][7] = aa[i][16];
+		aat[i][13] = aa[i][17];
+		aat[i][1] = aa[i][18];
+		aat[i][19] = aa[i][19];
+		aat[i][24] = aa[i][20];
+		aat[i][14] = aa[i][21];
+		aat[i][8] = aa[i][22];
+		aat[i][2] = aa[i][23];
+		aat[i][20] = aa[i][24];
+	}
+	file = fopen(OUTPUT2,"w");
+	for(i=0;i<25;i++){
+		fprintf(file,"%11.6f %11.6f %11.6f %11.6f %11.6f %11.6f\n",aat[0][i], aat[1][i],aat[2][i],aat[3][i],
+			aat[4][i],aat[5][i]);
+	}
+	fclose(file);
 
-	fp = fopen("adpttol.1", "w");
-	fprintf(fp, "For the Adept AdeptOne\n\n");
-	fprintf(fp, "with input:\n");
-	fprintf(fp, " x = %11.6f theta[1] = %11.6f\n", x, itheta[0]);
-	fprintf(fp, " y = %11.6f theta[2] = %11.6f\n", y, itheta[1]);
-	fprintf(fp, " z = %11.6f theta[3] = %11.6f\n", z, itheta[2]);
-	fprintf(fp, " t = %11.6f d[4] = %11.6f\n", t, itheta[3]);
-	fprintf(fp, "\nA bound on the error in distance parameters = %11.6f\n", dbnd);
-	fprintf(fp, "\nA bound on the error in angle parameters = %11.6f\n", abnd);
-	fprintf(fp, "\nfor tolerances of:\n");
-	fprintf(fp, " dx = %11.6f\n", e[0]);
-	fprintf(fp, " dy = %11.6f\n", e[1]);
-	fprintf(fp, " dz = %11.6f\n", e[2]);
-	fprintf(fp, " dwx = %11.6f\n", e[3]);
-	fprintf(fp, " dwx = %11.6f\n", e[4]);
-	fprintf(fp, " dwx = %11.6f\n", e[5]);
-	fprintf(fp, "\nand\n delta = %11.6f\n", delta);
-	fclose(fp);
+	fprintf(stderr,"enter desired position and orientation tolerances: ");
+	fscanf(stdin,"%f %f %f %f %f %f",&tol[0],&tol[1],&tol[2],&tol[3],&tol[4],&tol[5]);
+	fprintf(stderr,"enter desired delta: ");
+	fscanf(stdin,"%f",&delta);
+	for(i=0;i<6;i++){
+		norm[i] = 0.;
+		tolo[i] = tol[i];
+	}
+	for(i=0;i<6;i++){
+		for(j=9;j<25;j++){
+			norm[i] += (double)aat[i][j]*aat[i][j];	/* [forced cast] */
+		}
+		norm[i] = sqrt(norm[i]);
+	}
+	for(i=0;i<3;i++) tol[i] = tol[i] - delta;
+	mint = tol[0]/norm[0];
+	for(i=1;i<6;i++){
+		if((double)tol[i]/norm[i] < mint) mint = tol[i]/norm[i];	/* [forced cast] */
+	}
 
-	ad = sqrt(dbnd/14.);
-	dd = sqrt(dbnd/14.);
-	ag = sqrt(abnd/18.);
-	rd[0] = mach(A0, D0, ad, dd);
-	rd[1] = mach(A1, D1, ad, dd);
-	rd[2] = mach(A2, D2, ad, dd);
-	rd[3] = mach(A3, D3, ad, dd);
-	rd[4] = mach(A4, itheta[3], ad, dd);
-	rd[5] = mach(A5, D5, ad, dd);
-	ggd[0] = ag;
-	ggd[1] = ag;
-	ggd[2] = ag;
-	ggd[3] = ag;
-	ggd[4] = ag;
-	ggd[5] = ag;
-	td[0] = ag;
-	td[1] = ag;
-	td[2] = ag;
+	for(i=0;i<6;i++) norm[i] = 0.;
+	for(i=0;i<3;i++){
+		for(j=0;j<9;j++){
+			norm[i] += (double)aat[i][j]*aat[i][j];	/* [forced cast] */
+		}
+		norm[i] = sqrt(norm[i]);
+	}
+	for(i=0;i<3;i++) tol[i] = delta;
+	minr = tol[0]/norm[0];
+	for(i=1;i<3;i++){
+		if((double)tol[i]/norm[i] < minr) minr = tol[i]/norm[i];	/* [forced cast] */
+	}
+
+	/* [reading blanks] the blanks in the labels of both files */
+	file = fopen(OUTPUT3,"w");
+	fprintf(file,"For the Adept AdeptOne\n\n");
+	fprintf(file,"with input:\n");
+	fprintf(file," x = %11.6f theta[1] = %11.6f\n",x[0],itheta[0]);
+	fprintf(file," y = %11.6f theta[2] = %11.6f\n",x[1],itheta[1]);
+	fprintf(file," z = %11.6f theta[3] = %11.6f\n",x[2],itheta[2]);
+	fprintf(file," t = %11.6f d[4] = %11.6f\n\n",x[3],itheta[3]);
+	fprintf(file,"A bound on the error in distance parameters = %11.6f\n\n",minr);
+	fprintf(file,"A bound on the error in angle parameters = %11.6f\n\n",mint);
+	fprintf(file,"for tolerances of:\n");
+	fprintf(file," dx = %11.6f\n",tolo[0]);
+	fprintf(file," dy = %11.6f\n",tolo[1]);
+	fprintf(file," dz = %11.6f\n",tolo[2]);
+	fprintf(file," dwx = %11.6f\n",tolo[3]);
+	fprintf(file," dwx = %11.6f\n",tolo[4]);
+	fprintf(file," dwx = %11.6f\n\n",tolo[5]);
+	fprintf(file,"and\n");
+	fprintf(file," delta = %11.6f\n",delta);
+	fclose(file);
+
+	ad = dd = sqrt(minr/14.);
+	gd = md = sqrt(mint/18.);
+	for(i=0;i<6;i++){
+		mach(ad,dd,a[i],d[i],&rd[i]);
+		ggd[i] = gd;
+	}
+	for(i=0;i<4;i++){
+		td[i] = md;
+	}
 	td[3] = rd[4];
-
-	fp = fopen("adptmach.1", "w");
-	fprintf(fp, "For the Adept AdeptOne\n\n");
-	fprintf(fp, "machining distance tolerances:\n");
-	fprintf(fp, " rd[0] = %11.6f\n", rd[0]);
-	fprintf(fp, " rd[1] = %11.6f\n", rd[1]);
-	fprintf(fp, " rd[2] = %11.6f\n", rd[2]);
-	fprintf(fp, " rd[3] = %11.6f\n", rd[3]);
-	fprintf(fp, " rd[4] = %11.6f\n", rd[4]);
-	fprintf(fp, " rd[5] = %11.6f\n", rd[5]);
-	fprintf(fp, "\nmachining angle tolerances:\n");
-	fprintf(fp, " ggd[0] = %11.6f\n", ggd[0]);
-	fprintf(fp, " ggd[1] = %11.6f\n", ggd[1]);
-	fprintf(fp, " ggd[2] = %11.6f\n", ggd[2]);
-	fprintf(fp, " ggd[3] = %11.6f\n", ggd[3]);
-	fprintf(fp, " ggd[4] = %11.6f\n", ggd[4]);
-	fprintf(fp, " ggd[5] = %11.6f\n", ggd[5]);
-	fprintf(fp, "\nmotor angle tolerances:\n");
-	fprintf(fp, " td[0] = %11.6f\n", td[0]);
-	fprintf(fp, " td[1] = %11.6f\n", td[1]);
-	fprintf(fp, " td[2] = %11.6f\n", td[2]);
-	fprintf(fp, " td[3] = %11.6f\n", td[3]);
-	fclose(fp);
-	exit(0);
+	file = fopen(OUTPUT4,"w");
+	fprintf(file,"For the Adept AdeptOne\n\n");
+	fprintf(file,"machining distance tolerances:\n");
+	for(i=0;i<6;i++){
+		fprintf(file," rd[%1d] = %11.6f\n",i,rd[i]);	/* [reading width] */
+	}
+	fprintf(file,"\nmachining angle tolerances:\n");
+	for(i=0;i<6;i++){
+		fprintf(file," ggd[%1d] = %11.6f\n",i,ggd[i]);
+	}
+	fprintf(file,"\nmotor angle tolerances:\n");
+	for(i=0;i<4;i++){
+		fprintf(file," td[%1d] = %11.6f\n",i,td[i]);
+	}
+	exit(0);		/* [ours exit] */
 }
+
+/*
+ * [printed] *e = the error that a part of lengths c and d may have when c may be off by a and d by b: Eq. (4.32)
+ */
+mach(a,b,c,d,e)
+double a,		/* [forced formals] printed as float, down to d */
+	b,
+	c,
+	d;
+float *e;
+{
+	float dummy;
+
+	dummy = sqrt(c*c + d*d);
+	*e = -dummy + sqrt((double)dummy*dummy + 2.*c*a + 2.*d*b + a*a + b*b);	/* [forced cast] */
+}		/* [reading end] */

@@ -1,75 +1,97 @@
 /*
- * intelledex.h -- kinematics of the Intelledex 605T
+ * intelledex.h -- forward kinematics of the Intelledex 605T in Craig's order, for the check in the dialogue
  *
- * A reconstruction, not the listing of 1987: see legacy/README.md.
+ * The listing's routine under its name; the comments are ours: see README.md.
  */
 
-/* lengths in mm */
-#define BASE	359.7		/* base to shoulder */
-#define UARM	373.4		/* upper arm */
-#define FARM	279.4		/* forearm */
-#define TOOL	100.		/* wrist to tool */
+#include <stdio.h>
 
-#define CLOSE	0.		/* where an angle has two solutions */
+#include <math.h>
 
-float T[4][4], Tb[4][4], Tbi[4][4];
-float T06[4][4], T60[4][4], T05[4][4];
-float L1[4][4], L2[4][4], L3[4][4], L4[4][4], L5[4][4], L6[4][4], L6i[4][4];
-float P1[4][4], P2[4][4], P3[4][4], P4[4][4], P5[4][4];
+#include "kinematic.h"
 
-/* joint values q for the transform t, base to tool */
-invkin(t, q)
-float t[4][4], q[6];
+#define PI (3.14159)
+#define A0 (0.)
+#define A1 (0.)
+#define A2 (0.)
+#define A3 (373.4)
+#define A4 (279.4)
+#define A5 (0.)
+#define ALPHA0 (0.)
+#define ALPHA1 (-PI/2.)
+#define ALPHA2 (PI/2.)
+#define ALPHA3 (0.)
+#define ALPHA4 (0.)
+#define ALPHA5 (PI/2.)
+#define D0 (359.7)
+#define D1 (0.)
+#define D2 (0.)
+#define D3 (0.)
+#define D4 (0.)
+#define D5 (0.)
+#define D6 (100.)
+
+/* [printed] tw6 = the transform, base to tool, of six angles */
+intelledex(itheta,tw6)
+float itheta[6],
+	tw6[4][4];
 {
-	float q345, q34, px, py, qx, qy;
+	float a[6],
+		alpha[6],
+		d[6],
+		tw0[4][4],
+		t01[4][4],
+		t12[4][4],
+		t23[4][4],
+		t34[4][4],
+		t45[4][4],
+		t56[4][4],
+		tw1[4][4],
+		tw2[4][4],
+		tw3[4][4],
+		tw4[4][4],
+		tw5[4][4];
 
-	trans4(0., 0., BASE, Tb);
-	inv4(Tb, Tbi);
-	mul4(Tbi, t, T06);
-	inv4(T06, T60);
-	q[5] = solve(T60[1][3], T60[0][3], 0., CLOSE);
+	int i,
+		j;
 
-	link4(0., PI/2, TOOL, q[5], L6);
-	inv4(L6, L6i);
-	mul4(T06, L6i, T05);
-	q[0] = solve(T05[1][2], -T05[0][2], 0., CLOSE);
-	q[1] = atan2(cos(q[0])*T05[0][2] + sin(q[0])*T05[1][2], T05[2][2]);
+	a[0] = A0;
+	a[1] = A1;
+	a[2] = A2;
+	a[3] = A3;
+	a[4] = A4;
+	a[5] = A5;
+	alpha[0] = ALPHA0;
+	alpha[1] = ALPHA1;
+	alpha[2] = ALPHA2;
+	alpha[3] = ALPHA3;
+	alpha[4] = ALPHA4;
+	alpha[5] = ALPHA5;
+	d[0] = D1;
+	d[1] = D2;
+	d[2] = D3;
+	d[3] = D4;
+	d[4] = D5;
+	d[5] = D6;
 
-	q345 = atan2(-sin(q[0])*T05[0][0] + cos(q[0])*T05[1][0],
-		cos(q[0])*cos(q[1])*T05[0][0] + sin(q[0])*cos(q[1])*T05[1][0]
-		- sin(q[1])*T05[2][0]);
+	for(i=0;i<4;i++){
+		for(j=0;j<4;j++){
+			tw0[i][j] = 0.;
+		}
+		tw0[i][i] = 1.;
+	}
+	tw0[2][3] = D0;
+	transf(a[0],alpha[0],d[0],itheta[0],t01);
+	transf(a[1],alpha[1],d[1],itheta[1],t12);
+	transf(a[2],alpha[2],d[2],itheta[2],t23);
+	transf(a[3],alpha[3],-d[3],itheta[3],t34);	/* [reading minus] here and below */
+	transf(a[4],alpha[4],-d[4],itheta[4],t45);
+	transf(a[5],alpha[5],d[5],itheta[5],t56);
 
-	/* the wrist, in the plane of links 3 and 4 */
-	px = cos(q[0])*cos(q[1])*T06[0][3] + sin(q[0])*cos(q[1])*T06[1][3]
-		- sin(q[1])*T06[2][3] - TOOL*sin(q345);
-	py = -sin(q[0])*T06[0][3] + cos(q[0])*T06[1][3] + TOOL*cos(q345);
-
-	/* the shoulder, seen from frame 5 */
-	qx = -(cos(q345)*px + sin(q345)*py);
-	qy = sin(q345)*px - cos(q345)*py;
-	q[4] = solve(qx, -qy,
-		(UARM*UARM - FARM*FARM - (double)qx*qx - (double)qy*qy)/(2*FARM), CLOSE);
-
-	q34 = (double)q345 - q[4];
-	q[2] = atan2(py - FARM*sin(q34), px - FARM*cos(q34));
-	q[3] = (double)q345 - q[2] - q[4];
-}
-
-/* transform t of the joint values q, base to tool */
-fwdkin(q, t)
-float q[6], t[4][4];
-{
-	trans4(0., 0., BASE, Tb);
-	link4(0., 0., 0., q[0], L1);
-	link4(0., -PI/2, 0., q[1], L2);
-	link4(0., PI/2, 0., q[2], L3);
-	link4(UARM, 0., 0., q[3], L4);
-	link4(FARM, 0., 0., q[4], L5);
-	link4(0., PI/2, TOOL, q[5], L6);
-	mul4(Tb, L1, P1);
-	mul4(P1, L2, P2);
-	mul4(P2, L3, P3);
-	mul4(P3, L4, P4);
-	mul4(P4, L5, P5);
-	mul4(P5, L6, t);
+	mpynn(tw0,t01,tw1);
+	mpynn(tw1,t12,tw2);
+	mpynn(tw2,t23,tw3);
+	mpynn(tw3,t34,tw4);
+	mpynn(tw4,t45,tw5);
+	mpynn(tw5,t56,tw6);
 }

@@ -1,80 +1,172 @@
 /*
- * matrix4.h -- 4 x 4 homogeneous transforms
+ * matrix4.h -- products of matrices: 4 x 4, 4 x 1, and the 6 x n of the error model
  *
- * A reconstruction, not the listing of 1987: see legacy/README.md.
+ * The listing's routines, the listing's names and order; the comments are ours. What [printed], [reading],
+ * [forced] and [ours] mean, here and in the other files, is said in README.md.
  */
 
-/* out = a b */
-mul4(a, b, out)
-float a[4][4], b[4][4], out[4][4];
-{
-	register int i, j, n;
+#include <stdio.h>
+#define NN 4
 
-	for (i = 0; i < 4; i++)
-		for (j = 0; j < 4; j++) {
+/* [printed] out = in1 in2, NN x NN. out is cleared as a whole first, so it may be neither in1 nor in2. */
+mpynn(in1,in2,out)
+float in1[NN][NN],
+	in2[NN][NN],
+	out[NN][NN];
+{
+	int i,
+		j,
+		n;
+
+	for(i=0;i<NN;i++){
+		for(j=0;j<NN;j++){
 			out[i][j] = 0.;
-			for (n = 0; n < 4; n++)
-				out[i][j] += (double)a[i][n]*b[n][j];
 		}
-}
-
-/* out = inverse of the transform m */
-inv4(m, out)
-float m[4][4], out[4][4];
-{
-	register int i, j;
-
-	for (i = 0; i < 3; i++) {
-		for (j = 0; j < 3; j++)
-			out[i][j] = m[j][i];
-		out[i][3] = 0.;
-		for (j = 0; j < 3; j++)
-			out[i][3] += -(double)m[j][i]*m[j][3];
 	}
-	out[3][0] = 0.;
-	out[3][1] = 0.;
-	out[3][2] = 0.;
-	out[3][3] = 1.;
+	for(i=0;i<NN;i++){
+		for(j=0;j<NN;j++){
+			for(n=0;n<NN;n++){
+				out[i][j] += (double)in1[i][n]*in2[n][j];	/* [forced cast] */
+			}
+		}
+	}
 }
 
-/* out = Trans(x, y, z) */
-trans4(x, y, z, out)
-double x, y, z;
-float out[4][4];
+/* [printed] out = in1 in2, NN x NN by a column; called by neither program */
+mpyn1(in1,in2,out)
+float in1[NN][NN],
+	in2[NN],
+	out[NN];
 {
-	register int i, j;
+	int i,
+		j;
 
-	for (i = 0; i < 4; i++)
-		for (j = 0; j < 4; j++)
+	for(i=0;i<NN;i++){
+		out[i] = 0.;
+	}
+	for(i=0;i<NN;i++){
+		for(j=0;j<NN;j++){
+			out[i] += (double)in1[i][j]*in2[j];	/* [forced cast] */
+		}
+	}
+}
+
+/* [printed] out = in1 in2, 6 x 6 by 6 x 6 */
+mpy666(in1,in2,out)
+float in1[6][6],
+	in2[6][6],
+	out[6][6];
+{
+	int i,
+		j,
+		n;
+
+	for(i=0;i<6;i++){
+		for(j=0;j<6;j++){
 			out[i][j] = 0.;
-	out[0][0] = 1.;
-	out[1][1] = 1.;
-	out[2][2] = 1.;
-	out[3][3] = 1.;
-	out[0][3] = x;
-	out[1][3] = y;
-	out[2][3] = z;
+		}
+	}
+	for(i=0;i<6;i++){
+		for(j=0;j<6;j++){
+			for(n=0;n<6;n++){
+				out[i][j] += (double)in1[i][n]*in2[n][j];	/* [forced cast] */
+			}
+		}
+	}
 }
 
-/* out = Trans(x, y, z) Rot(z, a) Rot(y, b) Rot(x, g) */
-zyx4(x, y, z, g, b, a, out)
-double x, y, z, g, b, a;
-float out[4][4];
+/* [printed] out = in1 in2, 6 x 6 by 6 x 4 */
+mpy664(in1,in2,out)
+float in1[6][6],
+	in2[6][4],
+	out[6][4];
 {
-	out[0][0] = cos(a)*cos(b);
-	out[0][1] = cos(a)*sin(b)*sin(g) - sin(a)*cos(g);
-	out[0][2] = cos(a)*sin(b)*cos(g) + sin(a)*sin(g);
-	out[0][3] = x;
-	out[1][0] = sin(a)*cos(b);
-	out[1][1] = sin(a)*sin(b)*sin(g) + cos(a)*cos(g);
-	out[1][2] = sin(a)*sin(b)*cos(g) - cos(a)*sin(g);
-	out[1][3] = y;
-	out[2][0] = -sin(b);
-	out[2][1] = cos(b)*sin(g);
-	out[2][2] = cos(b)*cos(g);
-	out[2][3] = z;
-	out[3][0] = 0.;
-	out[3][1] = 0.;
-	out[3][2] = 0.;
-	out[3][3] = 1.;
+	int i,
+		j,
+		n;
+
+	for(i=0;i<6;i++){
+		for(j=0;j<4;j++){
+			out[i][j] = 0.;
+		}
+	}
+	for(i=0;i<6;i++){
+		for(j=0;j<4;j++){
+			for(n=0;n<6;n++){
+				out[i][j] += (double)in1[i][n]*in2[n][j];	/* [forced cast] */
+			}
+		}
+	}
+}
+
+/* [printed] out = in1 in2, 6 x 6 by 6 x 5 */
+mpy665(in1,in2,out)
+float in1[6][6],
+	in2[6][5],
+	out[6][5];
+{
+	int i,
+		j,
+		n;
+
+	for(i=0;i<6;i++){
+		for(j=0;j<5;j++){
+			out[i][j] = 0.;
+		}
+	}
+	for(i=0;i<6;i++){
+		for(j=0;j<5;j++){
+			for(n=0;n<6;n++){
+				out[i][j] += (double)in1[i][n]*in2[n][j];	/* [forced cast] */
+			}
+		}
+	}
+}
+
+/* [printed] out = in1 in2, 6 x 6 by 6 x 3; called by neither program */
+mpy663(in1,in2,out)
+float in1[6][6],
+	in2[6][3],
+	out[6][3];
+{
+	int i,
+		j,
+		n;
+
+	for(i=0;i<6;i++){
+		for(j=0;j<3;j++){
+			out[i][j] = 0.;
+		}
+	}
+	for(i=0;i<6;i++){
+		for(j=0;j<3;j++){
+			for(n=0;n<6;n++){
+				out[i][j] += (double)in1[i][n]*in2[n][j];	/* [forced cast] */
+			}
+		}
+	}
+}
+
+/* [printed] out = in1 in2, 3 x 3 by 3 x 3 */
+mpy333(in1,in2,out)
+float in1[3][3],
+	in2[3][3],
+	out[3][3];
+{
+	int i,
+		j,
+		n;
+
+	for(i=0;i<3;i++){
+		for(j=0;j<3;j++){
+			out[i][j] = 0.;
+		}
+	}
+	for(i=0;i<3;i++){
+		for(j=0;j<3;j++){
+			for(n=0;n<3;n++){
+				out[i][j] += (double)in1[i][n]*in2[n][j];	/* [forced cast] */
+			}
+		}
+	}
 }

@@ -105,7 +105,7 @@ static void test_quiet_only_writes(void)
 
 /* ---- other programs than the port ---- */
 
-/* Shell scripts in the programs' place. %s in them is the program of 1987 with a zero skew diagonal. */
+/* Shell scripts in the programs' place. %s in them is the program of 1987, what it never sets being zero. */
 static string fake_programs(const char *script)
 {
     const string folder = folder_new();

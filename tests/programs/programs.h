@@ -17,7 +17,7 @@ extern const char *const prompts[QUESTIONS];
 typedef struct tested {
     const char *name;               /* its messages begin with it */
     const char *path;
-    const char *legacy;             /* the program of 1987, its skew diagonal made zero */
+    const char *legacy;             /* the program of 1987; what it never sets is zero */
     const char *files[FILES];       /* names without the run number and the point before it */
     size_t starts[QUESTIONS + 1];   /* the number that each question begins with; last, how many there are */
     const char *const *value_names; /* of all numbers asked for, as messages call them */

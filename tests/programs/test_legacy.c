@@ -1,7 +1,7 @@
 /*
  * The port against the programs of 1987, byte for byte: four files and the dialogue, at positions drawn over
- * the whole workspace. The residue on the stack is out of the comparison: the legacy programs used here have
- * a static skew matrix, whose diagonal C makes zero, and the port runs with --fix skew-residue. The
+ * the whole workspace. The residue on the stack is out of the comparison: in the legacy programs used here
+ * what they never set is static, so that C makes it zero, and the port runs with --fix skew-residue. The
  * Intelledex's residue is zero anyway, so its port runs without any correction too.
  */
 

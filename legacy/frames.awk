@@ -1,7 +1,7 @@
-# Reads the nine words of skew, then the assembler of adpta.c (gcc for a 68020, -O0 -fverbose-asm), and prints
-# the table. Goes through main's call of the last gnpr, gnpr, main's call of the first getj and getj, one
-# instruction after the other, and keeps who wrote each word last. Places are in bytes from S, main's stack
-# pointer between two calls.
+# Reads the nine words of skew, then the assembler of adpta.c (gcc for a 68020, -O0 -fverbose-asm), and prints what
+# legacy/frames promises. Goes through main's call of the last gnpr, gnpr, main's call of the first getj and getj, one
+# instruction after the other, and keeps who wrote each word last. Places are in bytes from S, main's stack pointer
+# between two calls.
 
 function fail(what) {
     printf "frames: the assembler is not as expected: %s\n", what > "/dev/stderr"
@@ -44,7 +44,7 @@ function next_routine(n) {
     return operand[n]
 }
 
-# "move.l 20(%fp),-(%sp) | alpha," in gnpr: the two halves of a double, the upper at the lower place
+# "move.l 20(%fp),-(%sp) | kalpha," in gnpr: the two halves of a double, the upper at the lower place
 function passed_on(n,    offset) {
     offset = number_in(operand[n])
     return sprintf("%s, %s half, as passed to %s", first_name(n), offset % 8 ? "lower" : "upper", next_routine(n))
@@ -59,11 +59,19 @@ function step(n) {
         push("saved register " substr(operand[n], 2, 2))
     else if (operand[n] ~ /^[0-9]+\(%fp\),-\(%sp\)$/)
         push(passed_on(n))
-    else if (opcode[n] == "jsr")
+    else if (opcode[n] == "fmove.s" && operand[n] ~ /\(%fp\),%fp[0-9]$/)
+        source[last_name(n)] = first_name(n)
+    else if (opcode[n] == "fmove.d" && operand[n] ~ /-\(%sp\)$/) {
+        push(source[first_name(n)] ", lower half, as passed to " next_routine(n))
+        push(source[first_name(n)] ", upper half, as passed to " next_routine(n))
+    }
+    else if (opcode[n] == "jsr") {
         note[side, sp - 4] = "return address of " operand[n]
+        last_called[side] = operand[n]
+    }
     else if (opcode[n] == "addq.l" && operand[n] ~ /,%sp$/)
         sp += substr(operand[n], 2)
-    else if (operand[n] ~ /^%[df]p?[0-9],-[0-9]+\(%fp\)$/)
+    else if (operand[n] ~ /^(%[df]p?[0-9],)?-[0-9]+\(%fp\)$/)
         note[side, fp + number_in(operand[n])] = last_name(n)
 }
 
@@ -79,7 +87,7 @@ function call(n, arguments,    count, names, i) {
 function pushes_before(n,    count) {
     count = 0
     for (n--; opcode[n] != "jsr" && operand[n] !~ /%sp$/; n--)
-        if (operand[n] ~ /-\(%sp\)$/ || opcode[n] == "pea") count++
+        if (opcode[n] == "move.l" && operand[n] ~ /-\(%sp\)$/ || opcode[n] == "pea") count++
     return count
 }
 
@@ -87,14 +95,13 @@ function walk(routine,    n) {
     for (n = first[routine]; opcode[n] != "unlk" && opcode[n] != "rts"; n++) step(n)
 }
 
-function shown(place) {
-    return (place in is_diagonal) ? "**" note["getj", place] "**" : note["getj", place]
+# Below the arguments of the last call lies what the called routine had, which is not followed.
+function left_at(place) {
+    return note["gnpr", place] ? note["gnpr", place] : "left by " last_called["gnpr"]
 }
 
-# Of the words of skew only arguments and locals have values that do not depend on where things are loaded.
-function value_at(place) {
-    if (place >= base + 36) return ""
-    return note["gnpr", place] ~ /register|address|pointer/ ? "" : "`" word[(place - base) / 4] "`"
+function word_at(place) {
+    return place < base + 36 ? word[(place - base) / 4] : ""
 }
 
 FNR == NR { word[$1] = $2; next }
@@ -108,21 +115,16 @@ END {
     if (!gnpr || !getj) fail("no call of gnpr and getj in main")
     if (pushes_before(gnpr) != 5 || pushes_before(getj) != 2) fail("the arguments of gnpr or getj")
     side = "gnpr"
-    call(gnpr, "argument g|argument alpha, lower half|argument alpha, upper half|" \
-               "argument a, lower half|argument a, upper half")
+    call(gnpr, "argument out|argument kalpha, lower half|argument kalpha, upper half|" \
+               "argument ka, lower half|argument ka, upper half")
     walk("gnpr")
     side = "getj"
-    call(getj, "argument out|argument m")
+    call(getj, "argument out|argument in")
     walk("getj")
     for (place = -4; place >= -200; place -= 4) if (note["getj", place] == "skew[0][1]") base = place - 4
     if (!base || word[0] == "") fail("skew")
     for (i = 0; i < 9; i++)
-        if (!note["getj", base + 4 * i]) {
-            note["getj", base + 4 * i] = sprintf("skew[%d][%d], never set", i / 3, i % 3)
-            is_diagonal[base + 4 * i] = 1
-        }
-    print "| place | `gnpr` of the tool has left there | `getj` of the base has there | found by `getj` |"
-    print "|---|---|---|---|"
+        if (!note["getj", base + 4 * i]) note["getj", base + 4 * i] = sprintf("skew[%d][%d], never set", i / 3, i % 3)
     for (place = -4; place >= base; place -= 4)
-        printf "| S - %d | %s | %s | %s |\n", -place, note["gnpr", place], shown(place), value_at(place)
+        printf "%d\t%s\t%s\t%s\n", place, left_at(place), note["getj", place], word_at(place)
 }
