@@ -27,6 +27,12 @@
 #include "armtol/tool_matrix.h"
 #include "armtol/tool_point.h"
 
+#include "armtol/answer.h"
+#include "armtol/budget.h"
+#include "armtol/question.h"
+#include "armtol/share_interval.h"
+#include "armtol/verification.h"
+
 #include "armtol/craig.h"
 #include "armtol/euler.h"
 #include "armtol/interface.h"

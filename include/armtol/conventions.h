@@ -32,7 +32,9 @@
  *              are structs are returned by value and know no aliasing.
  *
  * Errors       Routines that can fail return an armtol_status and leave their outputs untouched when they
- *              do, unless they say otherwise. Nothing here prints, exits, allocates or keeps state.
+ *              do, unless they say otherwise. Nothing here prints, exits or keeps state. Memory is the
+ *              caller's, but for what a create routine makes and a destroy routine frees (answer.h,
+ *              budget.h), and while armtol_verify runs, which alone begins threads.
  */
 
 /* A homogeneous transform; the last row is 0 0 0 1. */

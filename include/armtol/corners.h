@@ -2,6 +2,8 @@
 #define ARMTOL_CORNERS_H
 
 #include "armtol/interface.h"
+#include "armtol/link.h"
+#include "armtol/tool_point.h"
 
 #include <stddef.h>
 
@@ -40,6 +42,33 @@ void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign
  */
 void armtol_remainder(const double matrix[], size_t n_columns, const double tolerances[],
                       double remainder[6]);
+
+/* How large an error of the tool is: one number >= 0 of the six of armtol_tool_error. */
+typedef double (*armtol_error_size)(const double error[6], const void *context);
+
+/*
+ * Climb from errors within the box to a corner from where no change of one of them alone makes the exact error of the tool
+ * larger.
+ *
+ * Given:
+ *    links, n_links, tool      the arm, placed, and its tool point
+ *    tolerances, n_columns     the box: finite, one a column
+ *    size, context             what is to be made large; context is handed to it
+ *    errors                    where to begin: n_columns values, 0 or plus or minus the tolerance
+ *
+ * Returned:
+ *    errors                    where it ends
+ *
+ * Returns what the size is there; nan, and errors as they were, where the links are not fine (armtol_links_check) or
+ * n_columns is not armtol_column_count.
+ *
+ * Notes:
+ * 1) Errors are tried one after the other, - before +, round after round, until a round gains nothing. A gain below 1e-9 of
+ *    the size does not count: it may be rounding, and not end. After 100 rounds it is left at that.
+ * 2) It is a local search: it finds no less than it began with, and need not find the largest of all corners.
+ */
+double armtol_climb(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double tolerances[],
+                    size_t n_columns, armtol_error_size size, const void *context, double errors[]);
 
 ARMTOL_INTERFACE_END
 

@@ -72,6 +72,12 @@ const char *armtol_parameter_name(armtol_parameter parameter);
 /* Whether the parameter is a length (a, d) rather than an angle. */
 bool armtol_parameter_is_length(armtol_parameter parameter);
 
+/* Where the link keeps the parameter; NULL for a value that is none. */
+double *armtol_link_parameter(armtol_link *link, armtol_parameter parameter);
+
+/* Whether it is the parameter that such a joint moves. */
+bool armtol_joint_moves(armtol_joint joint, armtol_parameter parameter);
+
 /* ARMTOL_NO_LINKS, ARMTOL_BAD_KIND, ARMTOL_BAD_JOINT or ARMTOL_NOT_FINITE for the first that is wrong. */
 armtol_status armtol_links_check(const armtol_link links[], size_t n_links);
 

@@ -20,6 +20,9 @@ typedef enum armtol_status {
     ARMTOL_BAD_WEIGHT,      /* a weight that is not positive */
     ARMTOL_BAD_AXIS,        /* an axis without a direction, or of a joint that does not move */
     ARMTOL_NOT_SOLVED,      /* an iteration that did not converge */
+    ARMTOL_NO_MEMORY,       /* the machine has none left */
+    ARMTOL_BAD_QUESTION,    /* a question without what it needs, or of no known method */
+    ARMTOL_UNBOUNDED,       /* a component that has to keep to an accuracy, and has no bound */
     ARMTOL_STATUS_COUNT     /* the number of the above, itself no status */
 } armtol_status;
 

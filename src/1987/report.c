@@ -39,13 +39,14 @@ static void write_wish(FILE *stream, const report *report)
     }
 }
 
+const char *const tolerance_names[6] = {"dx", "dy", "dz", "dwx", "dwy", "dwz"};
+
 static void write_tolerances(FILE *stream, const analysis *analysis)
 {
-    static const char *const labels[6] = {"dx", "dy", "dz", "dwx", "dwy", "dwz"};
     for (size_t i = 0; i < 6; i++) {
         /* Erratum `labels`: all three rotations are called dwx. */
         const size_t label = i > 3 && analysis->errata.labels ? 3 : i;
-        fprintf(stream, " %s = " NUMBER "\n", labels[label], analysis->tolerances[i]);
+        fprintf(stream, " %s = " NUMBER "\n", tolerance_names[label], analysis->tolerances[i]);
     }
 }
 

@@ -12,6 +12,9 @@ typedef struct report {
     const analysis *analysis;
 } report;
 
+/* The components of the tool's error, as 1987 names them: "dx" to "dwz". */
+extern const char *const tolerance_names[6];
+
 /* The four files; data is a report. The analysis must have come as far as the file needs. */
 void report_matrix(FILE *stream, const void *data);
 void report_ordered(FILE *stream, const void *data);

@@ -58,8 +58,6 @@ static bool judge_wish(const double wish[], void *context)
     }
 }
 
-static const char *const tolerance_names[6] = {"dx", "dy", "dz", "dwx", "dwy", "dwz"};
-
 static bool judge_tolerances(const double tolerances[], void *context)
 {
     const armtol_errata *errata = &((const session *)context)->analysis->errata;

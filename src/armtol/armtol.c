@@ -1,9 +1,10 @@
 /* armtol: how precisely the parts of an arm have to be made. */
 
+#include "armtol/armtol.h"
 #include "armtol/ask/arm_source.h"
 #include "armtol/ask/options.h"
 #include "armtol/ask/request.h"
-#include "armtol/engine/answer.h"
+#include "armtol/ask/watched.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tell/arm_list.h"
 #include "armtol/tell/output.h"
@@ -11,7 +12,6 @@
 #include "console/message.h"
 #include "console/rounding.h"
 
-#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,37 +23,24 @@ static size_t threads_of(const cli_options *options)
     return options->threads != 0 ? options->threads : processors > 0 ? (size_t)processors : 1;
 }
 
-/* No share of arms that are within is known of what has no bound. */
-static bool check_bounded(const request *request, const answer *answer)
+/* An exit code, after a message. */
+static int verify(const request *request, const armtol_answer *answer, armtol_verification *found)
 {
-    for (size_t i = 0; i < 6 && request->wished; i++) {
-        if (isfinite(request->accuracy[i]) && isinf(answer->components[i].worst)) {
-            message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends "
-                    "on, or - in its place in --accuracy",
-                    component_names[i], component_names[i]);
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool verify(const request *request, const answer *answer, verification *found)
-{
-    const posed_arm *posed = &request->posed;
-    const verification_task task = {
-        .poses = posed->links,
-        .n_poses = posed->n_poses,
-        .n_links = posed->n_links,
-        .matrices = posed->matrices,
-        .tolerances = answer->tolerances,
-        .n_columns = posed->n_columns,
-        .tool = posed->tool,
-        .accuracy = request->wished ? request->accuracy : NULL,
+    const armtol_draw draw = {
         .samples = request->options->verify,
         .seed = request->options->seed,
         .n_threads = threads_of(request->options),
     };
-    return verification_run(&task, found);
+    armtol_fault fault;
+    const armtol_status status = watched_verify(answer, &draw, found, &fault);
+    if (status == ARMTOL_UNBOUNDED) {
+        const char *component = armtol_component_name(fault.number);
+        message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends "
+                "on, or - in its place in --accuracy",
+                component, component);
+        return EXIT_WRONG;
+    }
+    return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }
 
 static bool print(const findings *findings)
@@ -68,39 +55,34 @@ static bool print(const findings *findings)
     }
 }
 
-static int tell(const request *request, const answer *answer)
+static int tell(findings *findings)
 {
-    budget budget;
-    verification found;
-    findings findings = {request, answer, NULL, NULL};
-    if (request->options->verify != 0) {
-        if (!check_bounded(request, answer)) {
-            return EXIT_WRONG;
+    armtol_budget *budget = NULL;
+    armtol_verification found;
+    if (findings->request->options->verify != 0) {
+        const int code = verify(findings->request, findings->answer, &found);
+        if (code != EXIT_OK) {
+            return code;
         }
-        if (!verify(request, answer, &found)) {
-            return EXIT_FAILED;
-        }
-        findings.verification = &found;
+        findings->verification = &found;
     }
-    if (!request->options->budget) {
-        return print(&findings) ? EXIT_OK : EXIT_FAILED;
-    }
-    if (!budget_make(&budget, request, answer)) {
+    if (findings->request->options->budget && armtol_budget_create(findings->answer, &budget) != ARMTOL_OK) {
+        out_of_memory();
         return EXIT_FAILED;
     }
-    findings.budget = &budget;
-    const bool fine = print(&findings);
-    budget_free(&budget);
+    findings->budget = budget;
+    const bool fine = print(findings);
+    armtol_budget_destroy(budget);
     return fine ? EXIT_OK : EXIT_FAILED;
 }
 
 static int answer_request(const request *request)
 {
-    answer answer;
-    int code = answer_make(&answer, request);
+    armtol_answer *answer;
+    int code = request_answer(request, &answer);
     if (code == EXIT_OK) {
-        code = tell(request, &answer);
-        answer_free(&answer);
+        code = tell(&(findings){.request = request, .answer = answer});
+        armtol_answer_destroy(answer);
     }
     return code;
 }

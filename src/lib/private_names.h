@@ -17,6 +17,10 @@
 #define allocation_pack armtol_private_allocation_pack
 #define allocation_use armtol_private_allocation_use
 #define angle_of armtol_private_angle_of
+#define answer_find_tolerances armtol_private_answer_find_tolerances
+#define answer_lever armtol_private_answer_lever
+#define answer_make_parts armtol_private_answer_make_parts
+#define answer_place armtol_private_answer_place
 #define arc_cosine_of armtol_private_arc_cosine_of
 #define arc_sine_of armtol_private_arc_sine_of
 #define arm_adept_one armtol_private_arm_adept_one
@@ -29,9 +33,18 @@
 #define arm_ur5e armtol_private_arm_ur5e
 #define columns_of_link armtol_private_columns_of_link
 #define cosine_of armtol_private_cosine_of
+#define draw_arms armtol_private_draw_arms
+#define fault_of armtol_private_fault_of
 #define length_of armtol_private_length_of
 #define pose_links_of armtol_private_pose_links_of
+#define question_check armtol_private_question_check
+#define question_check_columns armtol_private_question_check_columns
+#define search_corners armtol_private_search_corners
 #define sine_of armtol_private_sine_of
+#define tally_add armtol_private_tally_add
+#define tally_merge armtol_private_tally_merge
+#define tally_quantile armtol_private_tally_quantile
+#define tally_start armtol_private_tally_start
 #define transform_of_rows armtol_private_transform_of_rows
 
 #endif

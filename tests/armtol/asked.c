@@ -28,22 +28,22 @@ void asked_make(asked *asked, const cli_options *options)
     TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, arm_source_read(&asked->options, &asked->model), options->arm);
     TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, request_make(&asked->request, &asked->options, &asked->model),
                                   options->arm);
-    TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, answer_make(&asked->answer, &asked->request), options->arm);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(EXIT_OK, request_answer(&asked->request, &asked->answer), options->arm);
     TEST_ASSERT_EQUAL_INT_MESSAGE(lowest, lowest_free_descriptor(), "a file was left open");
 }
 
 void asked_free(asked *asked)
 {
-    answer_free(&asked->answer);
+    armtol_answer_destroy(asked->answer);
     request_free(&asked->request);
     arm_model_free(&asked->model);
 }
 
 size_t asked_column(const asked *asked, size_t link, armtol_parameter parameter)
 {
-    const posed_arm *posed = &asked->request.posed;
-    for (size_t k = 0; k < posed->n_columns; k++) {
-        if (posed->columns[k].link == link && posed->columns[k].parameter == parameter) {
+    const armtol_answer *answer = asked->answer;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (answer->columns[k].link == link && answer->columns[k].parameter == parameter) {
             return k;
         }
     }

@@ -2,14 +2,13 @@
 #define TEST_ASKED_H
 
 #include "armtol/ask/request.h"
-#include "armtol/engine/answer.h"
 
 /* A question to armtol and its answer, without the program around them. */
 typedef struct asked {
     cli_options options;
     arm_model model;
     request request;
-    answer answer;
+    armtol_answer *answer;
 } asked;
 
 /* What most tests ask: an accuracy, and nothing else but the defaults. */

@@ -54,11 +54,11 @@ static void run_corrected(const armtol_robot *robot, const double wish[], analys
 static void check_parts(const analysis *expected, const asked *asked, const char *what)
 {
     size_t joint = 0;
-    for (size_t i = 0; i < asked->request.posed.n_links; i++) {
-        const part *part = &asked->answer.parts[i];
+    for (size_t i = 0; i < asked->answer->n_links; i++) {
+        const armtol_part *part = &asked->answer->parts[i];
         check_within(1e-12, expected->machining[i], part->distance, "%s, rd[%zu]", what, i);
         check_within(1e-15, expected->shares.angle, part->angle, "%s, ggd[%zu]", what, i);
-        if (asked->request.posed.links[i].joint != ARMTOL_FIXED) {
+        if (asked->answer->links[i].joint != ARMTOL_FIXED) {
             check_within(1e-12, expected->motor[joint++], part->motor, "%s, motor of link %zu", what, i);
         }
     }
@@ -72,16 +72,16 @@ static void check_case(const armtol_robot *robot, const char *arm, const double 
     run_corrected(robot, wish, &expected);
     join(expected.q, robot->n_joints, joints);
     cli_options options = question(arm, joints, ".5,.5,.5,.1,.1,.1");
-    options.method = METHOD_SPHERE;
+    options.method = ARMTOL_METHOD_SPHERE;
     options.delta = ".1";
     asked_make(&asked, &options);
     const size_t n = expected.n_columns;
-    TEST_ASSERT_TRUE(n == asked.request.posed.n_columns);
+    TEST_ASSERT_TRUE(n == asked.answer->n_columns);
     for (size_t i = 0; i < 6 * n; i++) {
-        check_within(1e-10, expected.matrix[i], asked.request.posed.matrices[i], "%s, A[%zu]", arm, i);
+        check_within(1e-10, expected.matrix[i], asked.answer->matrices[i], "%s, A[%zu]", arm, i);
     }
-    check_within(1e-13, expected.bounds.distance, asked.answer.bounds.distance, "%s, distance bound", arm);
-    check_within(1e-15, expected.bounds.angle, asked.answer.bounds.angle, "%s, angle bound", arm);
+    check_within(1e-13, expected.bounds.distance, asked.answer->bounds.distance, "%s, distance bound", arm);
+    check_within(1e-15, expected.bounds.angle, asked.answer->bounds.angle, "%s, angle bound", arm);
     check_parts(&expected, &asked, arm);
     asked_free(&asked);
     analysis_free(&expected);
@@ -101,10 +101,10 @@ static void test_method_sphere_is_what_the_corrected_programs_of_1987_print(void
 
 static double deviation_of(const asked *asked, size_t row)
 {
-    const posed_arm *posed = &asked->request.posed;
+    const armtol_answer *answer = asked->answer;
     double variance = 0;
-    for (size_t k = 0; k < posed->n_columns; k++) {
-        const double error = posed->matrices[row * posed->n_columns + k] * asked->answer.bounded[k];
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        const double error = answer->matrices[row * answer->n_columns + k] * asked->answer->bounded[k];
         variance += error * error / 3; /* of an error that is even within its tolerance */
     }
     return sqrt(variance);
@@ -117,7 +117,7 @@ static void test_sigma_standard_deviations_are_within_the_accuracy(void)
         asked asked;
         double fullest = 0;
         cli_options options = question("puma560", "0.1,0.7,-1.5,0.2,0.8,0.3", ".5,.5,.5,.01,.01,.01");
-        options.method = METHOD_RSS;
+        options.method = ARMTOL_METHOD_RSS;
         options.sigma = sigmas[s];
         asked_make(&asked, &options);
         for (size_t i = 0; i < 6; i++) {
@@ -139,15 +139,15 @@ static void test_weights_loosen_what_costs_more(void)
     cli_options options = question("puma560", "0.1,0.7,-1.5,0.2,0.8,0.3", "-,-,.5,-,-,-");
     options.weights = "lengths=2,motors=5,3.alpha=10";
     asked_make(&asked, &options);
-    const posed_arm *posed = &asked.request.posed;
+    const armtol_answer *answer = asked.answer;
     double total = 0;
-    for (size_t k = 0; k < posed->n_columns; k++) {
-        total += isinf(asked.answer.tolerances[k]) ? 0 : asked.request.weights[k];
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        total += isinf(asked.answer->tolerances[k]) ? 0 : asked.request.weights[k];
     }
-    for (size_t k = 0; k < posed->n_columns; k++) {
-        const double element = fabs(posed->matrices[2 * posed->n_columns + k]);
-        if (!isinf(asked.answer.tolerances[k])) {
-            check_within(1e-9, asked.request.weights[k] / total * .5, element * asked.answer.tolerances[k],
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        const double element = fabs(answer->matrices[2 * answer->n_columns + k]);
+        if (!isinf(asked.answer->tolerances[k])) {
+            check_within(1e-9, asked.request.weights[k] / total * .5, element * asked.answer->tolerances[k],
                          "column %zu", k);
         }
     }
@@ -171,10 +171,10 @@ static void test_degrees_and_metres_change_the_units_and_nothing_else(void)
     options.angle = UNITS_SMALL;
     options.length = UNITS_LARGE;
     asked_make(&other, &options);
-    for (size_t k = 0; k < plain.request.posed.n_columns; k++) {
-        const double expected = plain.answer.tolerances[k];
+    for (size_t k = 0; k < plain.answer->n_columns; k++) {
+        const double expected = plain.answer->tolerances[k];
         if (isfinite(expected)) {
-            check_within(1e-9 * expected, expected, other.answer.tolerances[k], "column %zu", k);
+            check_within(1e-9 * expected, expected, other.answer->tolerances[k], "column %zu", k);
         }
     }
     asked_free(&plain);
@@ -191,8 +191,8 @@ static void test_a_tool_offset_moves_the_point_that_is_meant(void)
     const double offset[3] = {10, 20, 30};
     double point[3], expected[3];
     const armtol_transform tool =
-        armtol_chain_transform(asked.request.posed.links, asked.request.posed.n_links, &armtol_errata_none);
-    posed_arm_tool(&asked.request.posed, 0, point);
+        armtol_chain_transform(asked.answer->links, asked.answer->n_links, &armtol_errata_none);
+    armtol_answer_tool(asked.answer, 0, point);
     for (int i = 0; i < 3; i++) {
         expected[i] = tool.m[i][3];
         for (int j = 0; j < 3; j++) {
@@ -201,9 +201,9 @@ static void test_a_tool_offset_moves_the_point_that_is_meant(void)
         check_within(1e-9, expected[i], point[i], "component %d", i);
     }
     /* the base's theta turns the point about z: (-y, x, 0) */
-    const size_t theta = asked_column(&asked, 0, ARMTOL_THETA), n = asked.request.posed.n_columns;
-    check_within(1e-9, -expected[1], asked.request.posed.matrices[theta], "dx");
-    check_within(1e-9, expected[0], asked.request.posed.matrices[n + theta], "dy");
+    const size_t theta = asked_column(&asked, 0, ARMTOL_THETA), n = asked.answer->n_columns;
+    check_within(1e-9, -expected[1], asked.answer->matrices[theta], "dx");
+    check_within(1e-9, expected[0], asked.answer->matrices[n + theta], "dy");
     asked_free(&asked);
 }
 
@@ -223,15 +223,15 @@ static void test_the_ur5e_of_a_urdf_has_the_tolerances_of_its_table(void)
     options.tip = "tool0";
     options.length = UNITS_SMALL;
     asked_make(&urdf, &options);
-    const size_t n = table.request.posed.n_columns;
-    TEST_ASSERT_TRUE(n == 24 && n == urdf.request.posed.n_columns);
+    const size_t n = table.answer->n_columns;
+    TEST_ASSERT_TRUE(n == 24 && n == urdf.answer->n_columns);
     for (size_t k = 0; k < n; k++) {
-        const armtol_column *column = &table.request.posed.columns[k], *other = &urdf.request.posed.columns[k];
+        const armtol_column *column = &table.answer->columns[k], *other = &urdf.answer->columns[k];
         const bool is_length = armtol_parameter_is_length(column->parameter);
-        const double expected = units_shown(&table.request.units, is_length, table.answer.tolerances[k]);
+        const double expected = units_shown(&table.request.units, is_length, table.answer->tolerances[k]);
         TEST_ASSERT_TRUE(column->link == other->link && column->parameter == other->parameter);
         check_within(1e-7 * expected, expected,
-                     units_shown(&urdf.request.units, is_length, urdf.answer.tolerances[k]), "column %zu", k);
+                     units_shown(&urdf.request.units, is_length, urdf.answer->tolerances[k]), "column %zu", k);
     }
     asked_free(&table);
     asked_free(&urdf);
@@ -252,8 +252,8 @@ static void test_an_arm_from_a_pipe(void)
     const cli_options from_file = question(file.text, "0.5", "1,1,-,-,-,.1");
     asked_make(&piped, &from_pipe);
     asked_make(&read, &from_file);
-    for (size_t k = 0; k < read.request.posed.n_columns; k++) {
-        check_same(read.answer.tolerances[k], piped.answer.tolerances[k], "column %zu", k);
+    for (size_t k = 0; k < read.answer->n_columns; k++) {
+        check_same(read.answer->tolerances[k], piped.answer->tolerances[k], "column %zu", k);
     }
     asked_free(&piped);
     asked_free(&read);
@@ -298,16 +298,16 @@ static void test_several_poses_are_as_narrow_as_each_of_them(void)
     options.poses = file.text;
     asked_make(&both, &options);
     double fullest = 0;
-    const size_t size = 6 * both.request.posed.n_columns * sizeof(double);
+    const size_t size = 6 * both.answer->n_columns * sizeof(double);
     for (size_t pose = 0; pose < 2; pose++) {
         asked one;
         options = question("puma560", joints[pose], ".5,.5,.5,.01,.01,.01");
         asked_make(&one, &options);
-        TEST_ASSERT_EQUAL_MEMORY(one.request.posed.matrices, posed_arm_matrix(&both.request.posed, pose), size);
+        TEST_ASSERT_EQUAL_MEMORY(one.answer->matrices, armtol_answer_matrix(both.answer, pose), size);
         for (size_t i = 0; i < 6; i++) {
             double sum = 0;
-            for (size_t k = 0; k < one.request.posed.n_columns; k++) {
-                sum += fabs(one.request.posed.matrices[i * one.request.posed.n_columns + k]) * both.answer.bounded[k];
+            for (size_t k = 0; k < one.answer->n_columns; k++) {
+                sum += fabs(one.answer->matrices[i * one.answer->n_columns + k]) * both.answer->bounded[k];
             }
             TEST_ASSERT_TRUE(sum <= one.request.accuracy[i] * (1 + 1e-12));
             fullest = fmax(fullest, sum / one.request.accuracy[i]);

@@ -1,7 +1,7 @@
 /* What holds for every built-in arm, at poses drawn within its joints' limits. */
 
 #include "armtol/asked.h"
-#include "armtol/engine/verification.h"
+#include "armtol/verification.h"
 #include "support/check.h"
 #include "support/random.h"
 #include "support/reference.h"
@@ -63,12 +63,12 @@ static void at_drawn_poses(const char *accuracy, check *check)
 
 static void check_matrix(const asked *asked, const char *what)
 {
-    const posed_arm *posed = &asked->request.posed;
-    for (size_t k = 0; k < posed->n_columns; k++) {
+    const armtol_answer *answer = asked->answer;
+    for (size_t k = 0; k < answer->n_columns; k++) {
         double twist[6];
-        reference_column(posed->links, posed->n_links, posed->columns[k], true, twist);
+        reference_column(answer->links, answer->n_links, answer->columns[k], true, twist);
         for (size_t i = 0; i < 6; i++) {
-            check_within(1e-6, twist[i], posed->matrices[i * posed->n_columns + k], "row %zu, column %zu of %s", i, k,
+            check_within(1e-6, twist[i], answer->matrices[i * answer->n_columns + k], "row %zu, column %zu of %s", i, k,
                          what);
         }
     }
@@ -82,13 +82,13 @@ static void test_the_matrix_is_that_of_central_differences(void)
 /* The first order keeps to the accuracy, and at least one component uses all of it. */
 static void check_worst_case(const asked *asked, const char *what)
 {
-    const posed_arm *posed = &asked->request.posed;
+    const armtol_answer *answer = asked->answer;
     double fullest = 0;
     for (size_t i = 0; i < 6; i++) {
         double sum = 0;
-        for (size_t k = 0; k < posed->n_columns; k++) {
-            const double tolerance = asked->answer.tolerances[k];
-            const double element = fabs(posed->matrices[i * posed->n_columns + k]);
+        for (size_t k = 0; k < answer->n_columns; k++) {
+            const double tolerance = asked->answer->tolerances[k];
+            const double element = fabs(answer->matrices[i * answer->n_columns + k]);
             TEST_ASSERT_TRUE_MESSAGE(tolerance > 0, what);
             sum += isinf(tolerance) ? 0 : element * tolerance;
             TEST_ASSERT_TRUE_MESSAGE(!isinf(tolerance) || element < 1e-9, what);
@@ -106,31 +106,19 @@ static void test_worst_case_tolerances_use_the_accuracy_and_no_more(void)
 
 static void check_verified(const asked *asked, const char *what)
 {
-    const posed_arm *posed = &asked->request.posed;
-    const verification_task task = {
-        .poses = posed->links,
-        .n_poses = 1,
-        .n_links = posed->n_links,
-        .matrices = posed->matrices,
-        .tolerances = asked->answer.bounded,
-        .n_columns = posed->n_columns,
-        .tool = posed->tool,
-        .accuracy = asked->request.accuracy,
-        .samples = 20000,
-        .seed = 7,
-        .n_threads = 2,
-    };
-    verification found;
-    TEST_ASSERT_TRUE_MESSAGE(verification_run(&task, &found), what);
+    const armtol_draw draw = {.samples = 20000, .seed = 7, .n_threads = 2};
+    armtol_verification found;
+    TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, armtol_verify(asked->answer, &draw, &found, NULL), what);
     TEST_ASSERT_TRUE_MESSAGE(found.drawn == 20000, what);
     TEST_ASSERT_TRUE_MESSAGE(found.beyond == 0, what);
     for (size_t i = 0; i < 6; i++) {
-        const verified_component *component = &found.components[i];
-        const double most = component->prediction + component->remainder;
+        const armtol_predicted *predicted = &asked->answer->components[i];
+        const armtol_verified *component = &found.components[i];
+        const double most = predicted->worst + predicted->remainder;
         TEST_ASSERT_TRUE_MESSAGE(component->worst_drawn <= most, what);
         TEST_ASSERT_TRUE_MESSAGE(component->worst_corner <= most * (1 + 1e-12), what);
-        TEST_ASSERT_TRUE_MESSAGE(component->worst_corner >= component->prediction - component->remainder - 1e-12, what);
-        TEST_ASSERT_TRUE_MESSAGE(component->worst_drawn > 0.1 * component->prediction, what);
+        TEST_ASSERT_TRUE_MESSAGE(component->worst_corner >= predicted->worst - predicted->remainder - 1e-12, what);
+        TEST_ASSERT_TRUE_MESSAGE(component->worst_drawn > 0.1 * predicted->worst, what);
     }
 }
 

@@ -2,7 +2,6 @@
 
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
-#include "armtol/engine/posed_arm.h"
 
 #include "console/message.h"
 #include "support/check.h"
@@ -57,24 +56,24 @@ static void test_blanks_may_stand_anywhere_between_numbers(void)
 
 static void test_a_weight_is_not_cut(void)
 {
-    static const double q[6];
+    const armtol_arm *arm = armtol_arm_named("puma560");
+    const size_t n = armtol_column_count(arm->links, arm->n_links);
     char text[200];
     double weights[64];
-    posed_arm posed;
+    armtol_column columns[64];
     said said;
-    TEST_ASSERT_TRUE(posed_arm_make(&posed, armtol_arm_named("puma560"), &armtol_tool_origin, q, 1));
+    TEST_ASSERT_TRUE(n <= 64 && armtol_columns(arm->links, arm->n_links, columns, n) == ARMTOL_OK);
     snprintf(text, sizeof text, "alpha=1%s%.6s", digits, digits);
-    TEST_ASSERT_TRUE(weights_parse(text, &posed, weights));
+    TEST_ASSERT_TRUE(weights_parse(text, arm, columns, n, weights));
     check_same(1e56, weights[3], "63 characters");
 
     snprintf(text, sizeof text, "alpha=1%s%.7s", digits, digits);
     said_begin();
-    const bool fine = weights_parse(text, &posed, weights);
+    const bool fine = weights_parse(text, arm, columns, n, weights);
     said_end(&said);
     TEST_ASSERT_FALSE(fine);
     TEST_ASSERT_EQUAL_STRING("armtol: --weights: \"alpha=1000000000000000000000000000000000...\" is too long\n",
                              said.text);
-    posed_arm_free(&posed);
 }
 
 int main(void)

@@ -8,8 +8,6 @@
 
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
-#include "armtol/engine/arm_model.h"
-#include "armtol/engine/posed_arm.h"
 #include "armtol/tables/degrees.h"
 #include "console/message.h"
 #include "console/number.h"
@@ -21,7 +19,11 @@
 
 enum { MOST_BYTES = 4096, MOST_NUMBERS = 6 };
 
-static posed_arm posed; /* for the names of --weights */
+/* For the names of --weights. */
+enum { MOST_COLUMNS = 64 };
+static const armtol_arm *arm;
+static armtol_column columns[MOST_COLUMNS];
+static size_t n_columns;
 
 static bool same(double one, double other)
 {
@@ -144,19 +146,18 @@ static void check_whole(const char *text)
 /* The weight of the last item is that of some column: it names one. */
 static void check_weights(const char *text)
 {
-    double weights[64];
-    REQUIRE(posed.n_columns <= sizeof weights / sizeof weights[0]);
+    double weights[MOST_COLUMNS];
     if (strchr(text, '=') == NULL) {
         return; /* the name of a file */
     }
-    const bool fine = weights_parse(text, &posed, weights);
+    const bool fine = weights_parse(text, arm, columns, n_columns, weights);
     REQUIRE(fine ? caught_nothing() : caught_one_message());
     if (!fine) {
         return;
     }
     const double last = strtod(strrchr(text, '=') + 1, NULL);
     bool any = false;
-    for (size_t k = 0; k < posed.n_columns; k++) {
+    for (size_t k = 0; k < n_columns; k++) {
         REQUIRE(weights[k] > 0 && isfinite(weights[k]));
         any = any || same(weights[k], last);
     }
@@ -165,11 +166,12 @@ static void check_weights(const char *text)
 
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
-    static const double q[6];
     (void)argc;
     (void)argv;
     caught_start("armtol");
-    REQUIRE(posed_arm_make(&posed, armtol_arm_named("stanford"), &armtol_tool_origin, q, 1));
+    arm = armtol_arm_named("stanford");
+    n_columns = armtol_column_count(arm->links, arm->n_links);
+    REQUIRE(n_columns <= MOST_COLUMNS && armtol_columns(arm->links, arm->n_links, columns, n_columns) == ARMTOL_OK);
     return 0;
 }
 

@@ -66,8 +66,8 @@ static void check_question(const cli_options *options)
 {
     REQUIRE((options->joints != NULL) != (options->poses != NULL));
     REQUIRE(options->accuracy != NULL || options->tolerances != NULL);
-    REQUIRE(options->weights == NULL || (options->tolerances == NULL && options->method != METHOD_SPHERE));
-    REQUIRE(options->delta == NULL || options->method == METHOD_SPHERE);
+    REQUIRE(options->weights == NULL || (options->tolerances == NULL && options->method != ARMTOL_METHOD_SPHERE));
+    REQUIRE(options->delta == NULL || options->method == ARMTOL_METHOD_SPHERE);
     REQUIRE(options->format != OUTPUT_CSV || (!options->budget && options->verify == 0));
     REQUIRE((!options->seed_given && options->threads == 0) || options->verify != 0);
 }
@@ -85,7 +85,7 @@ static int check_armtol(command_line *line)
         }
         REQUIRE(options.sigma > 0 && isfinite(options.sigma));
         REQUIRE(options.threads <= 1024 && options.verify <= 1000000000000u);
-        REQUIRE(options.method < METHOD_COUNT && options.frame < ARMTOL_FRAME_COUNT);
+        REQUIRE(options.method < ARMTOL_METHOD_COUNT && options.frame < ARMTOL_FRAME_COUNT);
         REQUIRE(options.format <= OUTPUT_CSV && options.length <= UNITS_LARGE && options.angle <= UNITS_LARGE);
         const bool needs_arm = options.action == CLI_ANSWER || options.action == CLI_SHOW;
         REQUIRE(!needs_arm || options.arm != NULL);

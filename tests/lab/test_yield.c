@@ -1,6 +1,5 @@
 /* Arms built to tolerances: closed forms, the bounds, the draws, and the program. */
 
-#include "console/share_interval.h"
 #include "lab/published.h"
 #include "lab/recompute.h"
 #include "lab/uniform_draw.h"
@@ -352,18 +351,6 @@ static void test_a_seed_says_what_is_drawn(void)
     for_every_case(check_seeds);
 }
 
-static void test_the_interval_of_a_share(void)
-{
-    const share_interval half = share_interval_95(50, 100), none = share_interval_95(0, 100),
-                         all = share_interval_95(100, 100);
-    check_within(5e-5, 0.4038, half.low, "50 of 100, low");
-    check_within(5e-5, 0.5962, half.high, "50 of 100, high");
-    check_same(0, none.low, "0 of 100, low");
-    check_within(5e-5, 0.0370, none.high, "0 of 100, high");
-    check_within(1e-15, 1 - none.high, all.low, "100 of 100, low");
-    check_same(1, all.high, "100 of 100, high");
-}
-
 /* ---- the program ---- */
 
 static void run(process *process, const char *const arguments[])
@@ -461,7 +448,6 @@ int main(void)
     RUN_TEST(test_with_tolerances_of_zero_every_arm_is_exact);
     RUN_TEST(test_few_arms_of_1987_are_within_and_all_corrected_ones);
     RUN_TEST(test_a_seed_says_what_is_drawn);
-    RUN_TEST(test_the_interval_of_a_share);
     RUN_TEST(test_wrong_options_are_refused);
     RUN_TEST(test_help_and_version);
     RUN_TEST(test_a_table_that_is_not_there_is_refused);

@@ -44,10 +44,11 @@ HEAVY = r"^(memcheck|build|docs|fault|fuzz|machines|man)_|^(install|example.*|ex
 
 # Where a folder's mistakes show first; the tests of the file's own name go before these, all others after them.
 FIRST = {
+    "src/lib/engine": ("test_question", "test_verification", "test_answer", "golden"),
     "src/lib": ("golden", "test_published", "test_errata_effects", "test_robots", "test_tool_error", "test_answer"),
     "src/console": ("golden", "test_number", "test_flags", "test_options", "test_armtol", "test_wrong_input"),
     "src/1987": ("golden", "test_options", "test_files", "test_wrong_input", "test_terminal", "test_faults"),
-    "src/armtol": ("golden", "test_answer", "test_armtol", "test_lists", "test_arm_file", "test_urdf", "test_verification"),
+    "src/armtol": ("golden", "test_answer", "test_armtol", "test_lists", "test_arm_file", "test_urdf", "test_watched"),
 }
 OWN = {
     "optimum": "test_optimum", "center": "test_optimum", "factor": "test_optimum", "rows": "test_optimum", "arm": "test_arm|test_every_arm", "intelledex": "test_robots",
@@ -60,10 +61,13 @@ OWN = {
     "reader": "test_wrong_input|test_terminal", "session": "test_files", "report": "test_files", "help": "test_options",
     "analysis": "test_published|test_files", "table": "test_table", "message": "test_wrong_input",
     "pose_lists": "test_lists", "parameter_lists": "test_lists", "cells": "test_lists|test_arm_file", "urdf": "test_urdf|test_urdf_memory",
-    "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "weights": "test_answer",
-    "budget": "test_answer", "parts": "test_answer", "json": "armtol_json",
+    "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "draw": "test_verification", "weights": "test_answer",
+    "budget": "test_budget", "parts": "test_answer|test_question", "json": "armtol_json",
     "number_list": "test_number_list", "text": "test_armtol|test_arm_file", "tell": "test_armtol",
-    "ask": "test_armtol", "degrees": "test_degrees", "progress": "test_progress|test_verification",
+    "ask": "test_armtol", "degrees": "test_degrees", "progress": "test_progress|test_watched",
+    "answer": "test_question|test_answer", "check": "test_question", "find": "test_question|test_answer", "place": "test_question",
+    "climb": "test_verification", "corner_search": "test_verification", "tally": "test_tally", "share_interval": "test_verification",
+    "interrupt": "test_watched", "watched": "test_watched",
 }
 
 

@@ -2,7 +2,7 @@
 #define ARMTOL_ASK_ARM_SOURCE_H
 
 #include "armtol/ask/options.h"
-#include "armtol/engine/arm_model.h"
+#include "armtol/tables/arm_model.h"
 
 /*
  * The arm of the command line: a built-in one of that name, else a file, which is a URDF where it begins with '<' and

@@ -70,13 +70,7 @@ static const struct option long_options[] = {
     {NULL, 0, NULL, 0},
 };
 
-static const char *const method_names[METHOD_COUNT] = {"worst", "rss", "sphere"};
 static const char *const frame_names[ARMTOL_FRAME_COUNT] = {"base", "tool"};
-
-const char *method_name(method method)
-{
-    return method_names[method];
-}
 
 /* The place of a text among the names, or count after a message. */
 static size_t choose(const char *option, const char *text, const char *const names[], size_t count)
@@ -93,11 +87,15 @@ static size_t choose(const char *option, const char *text, const char *const nam
     return count;
 }
 
-static bool take_method(const char *text, method *method)
+static bool take_method(const char *text, armtol_method *method)
 {
-    const size_t i = choose("--method", text, method_names, METHOD_COUNT);
-    *method = (enum method)i;
-    return i < METHOD_COUNT;
+    const char *names[ARMTOL_METHOD_COUNT];
+    for (size_t i = 0; i < ARMTOL_METHOD_COUNT; i++) {
+        names[i] = armtol_method_name((armtol_method)i);
+    }
+    const size_t i = choose("--method", text, names, ARMTOL_METHOD_COUNT);
+    *method = (armtol_method)i;
+    return i < ARMTOL_METHOD_COUNT;
 }
 
 static bool take_frame(const char *text, armtol_frame *frame)
@@ -258,13 +256,13 @@ static const char *fault_of_question(const cli_options *options)
     if (options->accuracy == NULL && options->tolerances == NULL) {
         return "the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)";
     }
-    if (options->weights != NULL && (options->tolerances != NULL || options->method == METHOD_SPHERE)) {
+    if (options->weights != NULL && (options->tolerances != NULL || options->method == ARMTOL_METHOD_SPHERE)) {
         return "--weights is for the methods worst and rss";
     }
-    if (options->delta != NULL && (options->tolerances != NULL || options->method != METHOD_SPHERE)) {
+    if (options->delta != NULL && (options->tolerances != NULL || options->method != ARMTOL_METHOD_SPHERE)) {
         return "--delta is for --method sphere";
     }
-    if (options->sigma_given && options->method != METHOD_RSS) {
+    if (options->sigma_given && options->method != ARMTOL_METHOD_RSS) {
         return "--sigma is for --method rss";
     }
     if ((options->seed_given || options->threads != 0) && options->verify == 0) {

@@ -1,15 +1,13 @@
 #ifndef ARMTOL_ASK_OPTIONS_H
 #define ARMTOL_ASK_OPTIONS_H
 
-#include "armtol/tool_point.h"
+#include "armtol/question.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
 
 typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_HELP, CLI_VERSION } cli_action;
-
-typedef enum method { METHOD_WORST, METHOD_RSS, METHOD_SPHERE, METHOD_COUNT } method;
 
 typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
 
@@ -30,7 +28,7 @@ typedef struct cli_options {
     armtol_frame frame;
     unit_choice length; /* small: mm, large: m */
     unit_choice angle;  /* small: degrees, large: radians */
-    method method;
+    armtol_method method;
     double sigma; /* standard deviations */
     bool sigma_given;
     bool budget;
@@ -40,9 +38,6 @@ typedef struct cli_options {
     size_t threads; /* 0: as many as there are processors */
     output_format format;
 } cli_options;
-
-/* "worst", "rss", "sphere". */
-const char *method_name(method method);
 
 /* EXIT_OK, or EXIT_WRONG after a message. */
 int cli_options_parse(int argc, char *argv[], cli_options *options);

@@ -92,13 +92,10 @@ static bool parse_joints(const char *text, const armtol_arm *arm, size_t n_joint
         return false;
     }
     snprintf(what, sizeof what, "a value for each joint of %.20s", arm->name);
-    if (number_list_parse("--joints", text, what, false, n_joints, *poses)) {
-        return true;
-    }
-    free(*poses);
-    return false;
+    return number_list_parse("--joints", text, what, false, n_joints, *poses);
 }
 
+/* The poses are to be freed, also after a message. */
 static bool get_poses(const cli_options *options, const armtol_arm *arm, double **poses, size_t *n_poses)
 {
     const size_t n_joints = armtol_joint_count(arm->links, arm->n_links);
@@ -119,22 +116,16 @@ static bool take_tool(const cli_options *options, const units *units, armtol_too
     return true;
 }
 
-static bool pose_arm(request *request, const arm_model *model)
+static bool take_poses(request *request)
 {
-    double *poses;
-    size_t n_poses;
-    armtol_tool_point tool;
-    const armtol_arm *arm = &model->arm;
-    if (!take_tool(request->options, &request->units, &tool) || !get_poses(request->options, arm, &poses, &n_poses)) {
-        return false;
-    }
+    const armtol_arm *arm = request->question.arm;
     const size_t n_joints = armtol_joint_count(arm->links, arm->n_links);
-    bool fine = true;
-    for (size_t pose = 0; pose < n_poses && fine; pose++) {
-        fine = take_pose(&request->units, arm, pose, poses + pose * n_joints);
+    bool fine = take_tool(request->options, &request->units, &request->question.tool) &&
+                get_poses(request->options, arm, &request->q, &request->question.n_poses);
+    for (size_t pose = 0; fine && pose < request->question.n_poses; pose++) {
+        fine = take_pose(&request->units, arm, pose, request->q + pose * n_joints);
     }
-    fine = fine && posed_arm_make(&request->posed, arm, &tool, poses, n_poses);
-    free(poses);
+    request->question.q = request->q;
     return fine;
 }
 
@@ -152,10 +143,10 @@ static bool take_accuracy(request *request)
 {
     const char *text = request->options->accuracy;
     bool bounded = false;
-    request->wished = text != NULL;
     if (text == NULL) {
         return true;
     }
+    request->question.accuracy = request->accuracy;
     if (!number_list_parse("--accuracy", text, "dx,dy,dz,wx,wy,wz", true, 6, request->accuracy)) {
         return false;
     }
@@ -177,20 +168,22 @@ static bool take_accuracy(request *request)
 static bool take_delta(request *request)
 {
     const char *text = request->options->delta;
-    request->delta = (double)NAN;
+    double *delta = &request->question.delta;
     if (text == NULL) {
         return true;
     }
-    const bool fine = number_option_positive("--delta", text, &request->delta);
-    request->delta = units_taken(&request->units, true, request->delta);
-    return fine;
+    const bool fine = number_option_positive("--delta", text, delta);
+    *delta = units_taken(&request->units, true, *delta);
+    if (fine && *delta == 0) { /* in inside units no double holds it, and 0 is one to be chosen */
+        message("no tolerances: %s", armtol_status_text(ARMTOL_BAD_DELTA));
+    }
+    return fine && *delta != 0;
 }
 
 static bool take_tolerances(request *request, const char *path)
 {
-    const posed_arm *posed = &request->posed;
-    for (size_t k = 0; k < posed->n_columns; k++) {
-        const armtol_column *column = &posed->columns[k];
+    for (size_t k = 0; k < request->n_columns; k++) {
+        const armtol_column *column = &request->columns[k];
         const bool is_length = armtol_parameter_is_length(column->parameter);
         if (!take_value(&request->units, is_length, &request->tolerances[k])) {
             message("--tolerances: %s: %s of link %zu: the tolerance is too large", path,
@@ -203,11 +196,10 @@ static bool take_tolerances(request *request, const char *path)
 
 static bool read_tolerances(request *request)
 {
-    const posed_arm *posed = &request->posed;
     const char *path = request->options->tolerances;
-    const parameter_table table = {.links = posed->arm->links,
-                                   .columns = posed->columns,
-                                   .n_columns = posed->n_columns,
+    const parameter_table table = {.links = request->question.arm->links,
+                                   .columns = request->columns,
+                                   .n_columns = request->n_columns,
                                    .value = "tolerance",
                                    .all = true,
                                    .length_unit = units_name(&request->units, true),
@@ -223,38 +215,77 @@ static bool read_tolerances(request *request)
     return fine && take_tolerances(request, path);
 }
 
-static int take_values(request *request)
+static bool get_memory(request *request)
 {
-    const size_t n = request->posed.n_columns;
-    const bool given = request->options->tolerances != NULL;
+    const armtol_arm *arm = request->question.arm;
+    const size_t n = armtol_column_count(arm->links, arm->n_links);
+    request->n_columns = n;
+    request->columns = calloc(n, sizeof *request->columns);
     request->weights = calloc(n, sizeof *request->weights);
-    request->tolerances = given ? calloc(n, sizeof *request->tolerances) : NULL;
-    if (request->weights == NULL || (given && request->tolerances == NULL)) {
-        out_of_memory();
-        return EXIT_FAILED;
+    if (request->options->tolerances != NULL) {
+        request->tolerances = calloc(n, sizeof *request->tolerances);
     }
-    const bool fine = take_accuracy(request) && take_delta(request) &&
-                      weights_parse(request->options->weights, &request->posed, request->weights) &&
-                      (!given || read_tolerances(request));
-    return fine ? EXIT_OK : EXIT_WRONG;
+    const bool enough = request->columns != NULL && request->weights != NULL &&
+                        (request->options->tolerances == NULL || request->tolerances != NULL);
+    if (!enough) {
+        out_of_memory();
+    }
+    return enough;
+}
+
+static bool take_values(request *request)
+{
+    const armtol_arm *arm = request->question.arm;
+    armtol_columns(arm->links, arm->n_links, request->columns, request->n_columns);
+    request->question.weights = request->weights;
+    request->question.tolerances = request->tolerances;
+    return take_accuracy(request) && take_delta(request) &&
+           weights_parse(request->options->weights, arm, request->columns, request->n_columns, request->weights) &&
+           (request->tolerances == NULL || read_tolerances(request));
 }
 
 int request_make(request *request, const cli_options *options, const arm_model *model)
 {
-    *request = (struct request){.options = options, .units = units_of(options, model)};
-    if (!pose_arm(request, model)) {
-        return EXIT_WRONG;
-    }
-    const int code = take_values(request);
-    if (code != EXIT_OK) {
+    *request = (struct request){
+        .options = options,
+        .units = units_of(options, model),
+        .question = {.arm = &model->arm, .method = options->method, .sigma = options->sigma},
+    };
+    const bool fine = take_poses(request) && get_memory(request) && take_values(request);
+    if (!fine) {
         request_free(request);
     }
-    return code;
+    return fine ? EXIT_OK : EXIT_WRONG;
 }
 
 void request_free(request *request)
 {
-    posed_arm_free(&request->posed);
+    free(request->q);
+    free(request->columns);
     free(request->weights);
     free(request->tolerances);
+}
+
+/* ---- the answer ---- */
+
+int request_failed(const request *request, const armtol_fault *fault)
+{
+    const char *text = armtol_status_text(fault->status);
+    if (fault->status == ARMTOL_NO_MEMORY) {
+        out_of_memory();
+        return EXIT_FAILED;
+    }
+    if (fault->about == ARMTOL_ABOUT_ARM || fault->about == ARMTOL_ABOUT_POSE) {
+        message("%s in these poses: %s", request->question.arm->name, text);
+        return EXIT_WRONG;
+    }
+    message("no tolerances: %s", text);
+    return fault->status == ARMTOL_NOT_SOLVED ? EXIT_FAILED : EXIT_WRONG;
+}
+
+int request_answer(const request *request, armtol_answer **answer)
+{
+    armtol_fault fault;
+    const armtol_status status = armtol_answer_create(&request->question, answer, &fault);
+    return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }

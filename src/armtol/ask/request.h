@@ -1,27 +1,33 @@
 #ifndef ARMTOL_ASK_REQUEST_H
 #define ARMTOL_ASK_REQUEST_H
 
+#include "armtol/answer.h"
 #include "armtol/ask/options.h"
 #include "armtol/ask/units.h"
-#include "armtol/engine/arm_model.h"
-#include "armtol/engine/posed_arm.h"
-
-#include <stdbool.h>
+#include "armtol/tables/arm_model.h"
 
 /* What is asked, in inside units: the command line and its files, read in the light of the arm. */
 typedef struct request {
     const cli_options *options;
     units units;
-    posed_arm posed;
-    bool wished;        /* whether there is an accuracy */
-    double accuracy[6]; /* infinity for a free component */
-    double delta;       /* nan: to be chosen */
-    double *weights;    /* n_columns */
-    double *tolerances; /* n_columns, infinity for what does not matter; NULL where they are asked for */
+    armtol_question question;
+    double accuracy[6];               /* the question's, as are these: */
+    double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */
+    armtol_column *columns;           /* of A */
+    size_t n_columns;
 } request;
 
-/* EXIT_OK, or an exit code after a message; nothing is then to be freed. */
+/* EXIT_OK, or an exit code after a message; nothing is then to be freed. The request stays where it is. */
 int request_make(request *request, const cli_options *options, const arm_model *model);
 void request_free(request *request);
+
+/* The engine's answer, to be destroyed. EXIT_OK, or an exit code after a message. */
+int request_answer(const request *request, armtol_answer **answer);
+
+/*
+ * The message of what the engine could not do, and an exit code: what has no tolerances, a delta too large say, is wrong
+ * input; that none are found is not.
+ */
+int request_failed(const request *request, const armtol_fault *fault);
 
 #endif

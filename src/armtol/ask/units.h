@@ -1,7 +1,7 @@
 #ifndef ARMTOL_ASK_UNITS_H
 #define ARMTOL_ASK_UNITS_H
 
-#include "armtol/engine/arm_model.h"
+#include "armtol/tables/arm_model.h"
 
 #include <stdbool.h>
 

@@ -2,6 +2,7 @@
 
 #include "armtol/ask/lists.h"
 #include "armtol/ask/number_list.h"
+#include "armtol/budget.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 
@@ -11,21 +12,35 @@
 
 enum { WORD = 64, ANY_LINK = -1, LINK_DIGITS = 6 };
 
-typedef bool belongs(const posed_arm *posed, size_t column);
+/* What is weighted: the columns of A of an arm. */
+typedef struct weighted {
+    const armtol_arm *arm;
+    const armtol_column *columns;
+    size_t n_columns;
+    double *weights;
+} weighted;
 
-static bool is_length(const posed_arm *posed, size_t column)
+typedef bool belongs(const armtol_link *link, armtol_parameter parameter);
+
+static bool is_length(const armtol_link *link, armtol_parameter parameter)
 {
-    return armtol_parameter_is_length(posed->columns[column].parameter);
+    (void)link;
+    return armtol_parameter_is_length(parameter);
 }
 
-static bool is_angle(const posed_arm *posed, size_t column)
+static bool is_angle(const armtol_link *link, armtol_parameter parameter)
 {
-    return !is_length(posed, column);
+    return !is_length(link, parameter);
 }
 
-static bool is_machined(const posed_arm *posed, size_t column)
+static bool is_motor(const armtol_link *link, armtol_parameter parameter)
 {
-    return !posed_arm_is_motor(posed, column);
+    return armtol_role_of(link, parameter) == ARMTOL_MOTOR;
+}
+
+static bool is_machined(const armtol_link *link, armtol_parameter parameter)
+{
+    return !is_motor(link, parameter);
 }
 
 /* The class of that name; NULL where it is none. */
@@ -35,7 +50,7 @@ static belongs *class_of(const char *name)
         const char *name;
         belongs *belongs;
     } classes[] = {
-        {"lengths", is_length}, {"angles", is_angle}, {"motors", posed_arm_is_motor}, {"machining", is_machined}};
+        {"lengths", is_length}, {"angles", is_angle}, {"motors", is_motor}, {"machining", is_machined}};
     for (size_t i = 0; i < sizeof classes / sizeof classes[0]; i++) {
         if (strcmp(name, classes[i].name) == 0) {
             return classes[i].belongs;
@@ -69,15 +84,16 @@ static long link_of(const char **name)
     return link;
 }
 
-static bool is_named(const posed_arm *posed, size_t column, long link, const char *name)
+static bool is_named(const weighted *weighted, size_t column, long link, const char *name)
 {
-    const armtol_column *at = &posed->columns[column];
+    const armtol_column *at = &weighted->columns[column];
     belongs *of_class = class_of(name);
     return (link == ANY_LINK || (size_t)link == at->link) &&
-           (of_class != NULL ? of_class(posed, column) : strcmp(name, armtol_parameter_name(at->parameter)) == 0);
+           (of_class != NULL ? of_class(&weighted->arm->links[at->link], at->parameter)
+                             : strcmp(name, armtol_parameter_name(at->parameter)) == 0);
 }
 
-static bool set(const char *name, double weight, const posed_arm *posed, double weights[])
+static bool set(const char *name, double weight, const weighted *weighted)
 {
     const char *whole = name;
     const long link = link_of(&name);
@@ -88,20 +104,20 @@ static bool set(const char *name, double weight, const posed_arm *posed, double 
         return false;
     }
     bool any = false;
-    for (size_t k = 0; k < posed->n_columns; k++) {
-        if (is_named(posed, k, link, name)) {
-            weights[k] = weight;
+    for (size_t k = 0; k < weighted->n_columns; k++) {
+        if (is_named(weighted, k, link, name)) {
+            weighted->weights[k] = weight;
             any = true;
         }
     }
     if (!any) {
-        message("--weights: %s has no parameter %s", posed->arm->name, message_quote(whole, &(quoted){""}));
+        message("--weights: %s has no parameter %s", weighted->arm->name, message_quote(whole, &(quoted){""}));
     }
     return any;
 }
 
 /* One NAME=NUMBER. */
-static bool take_item(const char *item, size_t length, const posed_arm *posed, double weights[])
+static bool take_item(const char *item, size_t length, const weighted *weighted)
 {
     char word[WORD];
     double weight;
@@ -118,14 +134,14 @@ static bool take_item(const char *item, size_t length, const posed_arm *posed, d
         return false;
     }
     *equals = '\0';
-    return number_option_positive("--weights", equals + 1, &weight) && set(word, weight, posed, weights);
+    return number_option_positive("--weights", equals + 1, &weight) && set(word, weight, weighted);
 }
 
-static bool take_list(const char *text, const posed_arm *posed, double weights[])
+static bool take_list(const char *text, const weighted *weighted)
 {
     for (;;) {
         const size_t length = strcspn(text, ",");
-        if (!take_item(text, length, posed, weights)) {
+        if (!take_item(text, length, weighted)) {
             return false;
         }
         if (text[length] == '\0') {
@@ -135,11 +151,11 @@ static bool take_list(const char *text, const posed_arm *posed, double weights[]
     }
 }
 
-static bool take_table(const char *path, const posed_arm *posed, double weights[])
+static bool take_table(const char *path, const weighted *weighted)
 {
-    const parameter_table table = {.links = posed->arm->links,
-                                   .columns = posed->columns,
-                                   .n_columns = posed->n_columns,
+    const parameter_table table = {.links = weighted->arm->links,
+                                   .columns = weighted->columns,
+                                   .n_columns = weighted->n_columns,
                                    .value = "weight"};
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
@@ -147,18 +163,20 @@ static bool take_table(const char *path, const posed_arm *posed, double weights[
         message("--weights: %s: %s; expected NAME=NUMBER,... or a file", path, strerror(errno));
         return false;
     }
-    const bool fine = parameters_read(stream, path, &table, false, weights);
+    const bool fine = parameters_read(stream, path, &table, false, weighted->weights);
     fclose(stream);
     return fine;
 }
 
-bool weights_parse(const char *text, const posed_arm *posed, double weights[])
+bool weights_parse(const char *text, const armtol_arm *arm, const armtol_column columns[], size_t n_columns,
+                   double weights[])
 {
-    for (size_t k = 0; k < posed->n_columns; k++) {
+    const weighted weighted = {arm, columns, n_columns, weights};
+    for (size_t k = 0; k < n_columns; k++) {
         weights[k] = 1;
     }
     if (text == NULL) {
         return true;
     }
-    return strchr(text, '=') != NULL ? take_list(text, posed, weights) : take_table(text, posed, weights);
+    return strchr(text, '=') != NULL ? take_list(text, &weighted) : take_table(text, &weighted);
 }

@@ -1,7 +1,8 @@
 #ifndef ARMTOL_ASK_WEIGHTS_H
 #define ARMTOL_ASK_WEIGHTS_H
 
-#include "armtol/engine/posed_arm.h"
+#include "armtol/arm.h"
+#include "armtol/error_matrix.h"
 
 #include <stdbool.h>
 
@@ -11,6 +12,7 @@
  * names a column holds; or the name, without an =, of a table with a column `weight`. 1 for what is not named. False
  * after a message.
  */
-bool weights_parse(const char *text, const posed_arm *posed, double weights[]);
+bool weights_parse(const char *text, const armtol_arm *arm, const armtol_column columns[], size_t n_columns,
+                   double weights[]);
 
 #endif

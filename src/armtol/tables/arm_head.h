@@ -1,7 +1,7 @@
 #ifndef ARMTOL_TABLES_ARM_HEAD_H
 #define ARMTOL_TABLES_ARM_HEAD_H
 
-#include "armtol/engine/arm_model.h"
+#include "armtol/tables/arm_model.h"
 #include "armtol/tables/cells.h"
 
 #include <stdbool.h>

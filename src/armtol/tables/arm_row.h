@@ -1,7 +1,7 @@
 #ifndef ARMTOL_TABLES_ARM_ROW_H
 #define ARMTOL_TABLES_ARM_ROW_H
 
-#include "armtol/engine/arm_model.h"
+#include "armtol/tables/arm_model.h"
 #include "armtol/tables/arm_table.h"
 
 #include <stdbool.h>

@@ -8,7 +8,7 @@
 bool output_csv(const findings *findings)
 {
     puts("link,kind,parameter,role,nominal,tolerance,unit");
-    for (size_t k = 0; k < findings->request->posed.n_columns; k++) {
+    for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row row = findings_parameter(findings, k);
         const char *tolerance = isfinite(row.tolerance)
                                     ? number_shortest(row.tolerance, &armtol_errata_none, &(number_text){""})

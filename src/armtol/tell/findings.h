@@ -1,21 +1,18 @@
 #ifndef ARMTOL_TELL_FINDINGS_H
 #define ARMTOL_TELL_FINDINGS_H
 
+#include "armtol/answer.h"
 #include "armtol/ask/request.h"
-#include "armtol/engine/answer.h"
-#include "armtol/engine/budget.h"
-#include "armtol/engine/verification.h"
+#include "armtol/budget.h"
+#include "armtol/verification.h"
 
 /* All that there is to tell. NULL for what was not asked for. */
 typedef struct findings {
     const request *request;
-    const answer *answer;
-    const budget *budget;
-    const verification *verification;
+    const armtol_answer *answer;
+    const armtol_budget *budget;
+    const armtol_verification *verification;
 } findings;
-
-/* The components of the tool's error: "dx" and so on; the first three are lengths. */
-extern const char *const component_names[6];
 
 /* One parameter of one link, in the user's units. */
 typedef struct parameter_row {

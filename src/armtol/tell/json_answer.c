@@ -1,5 +1,6 @@
 #include "armtol/tell/output.h"
 
+#include "armtol/armtol.h"
 #include "armtol/tell/json.h"
 
 #include <math.h>
@@ -9,14 +10,14 @@
 
 static void write_arm(json *json, const findings *findings)
 {
-    const armtol_arm *arm = findings->request->posed.arm;
+    const armtol_arm *arm = findings->request->question.arm;
     const units *units = &findings->request->units;
     json_open_object(json, "arm");
     json_text(json, "name", arm->name);
     json_text(json, "title", arm->title);
     json_text(json, "source", arm->source);
     json_count(json, "links", arm->n_links);
-    json_count(json, "joints", findings->request->posed.n_joints);
+    json_count(json, "joints", findings->answer->n_joints);
     json_close_object(json);
     json_open_object(json, "units");
     json_text(json, "length", units_name(units, true));
@@ -26,18 +27,18 @@ static void write_arm(json *json, const findings *findings)
 
 static void write_poses(json *json, const findings *findings)
 {
-    const posed_arm *posed = &findings->request->posed;
+    const armtol_answer *answer = findings->answer;
     const units *units = &findings->request->units;
     json_open_array(json, "poses");
-    for (size_t pose = 0; pose < posed->n_poses; pose++) {
-        const double *q = posed->q + pose * posed->n_joints;
+    for (size_t pose = 0; pose < answer->n_poses; pose++) {
+        const double *q = findings->request->q + pose * answer->n_joints;
         double point[3];
         size_t joint = 0;
-        posed_arm_tool(posed, pose, point);
+        armtol_answer_tool(answer, pose, point);
         json_open_object(json, NULL);
         json_open_array(json, "joints");
-        for (size_t i = 0; i < posed->n_links; i++) {
-            const armtol_joint moved = posed->links[i].joint;
+        for (size_t i = 0; i < answer->n_links; i++) {
+            const armtol_joint moved = answer->links[i].joint;
             if (moved != ARMTOL_FIXED) {
                 json_number(json, NULL, units_shown(units, moved == ARMTOL_PRISMATIC, q[joint++]));
             }
@@ -55,16 +56,16 @@ static void write_poses(json *json, const findings *findings)
 static void write_method(json *json, const findings *findings)
 {
     const cli_options *options = findings->request->options;
-    const answer *answer = findings->answer;
+    const armtol_answer *answer = findings->answer;
     if (findings->request->tolerances != NULL) {
         json_text(json, "method", "given");
         return;
     }
-    json_text(json, "method", method_name(options->method));
-    if (options->method == METHOD_RSS) {
+    json_text(json, "method", armtol_method_name(options->method));
+    if (options->method == ARMTOL_METHOD_RSS) {
         json_number(json, "sigma", options->sigma);
     }
-    if (options->method == METHOD_SPHERE) {
+    if (options->method == ARMTOL_METHOD_SPHERE) {
         json_number(json, "delta", units_shown(&findings->request->units, true, answer->delta));
         json_number(json, "distance_bound", units_shown(&findings->request->units, true, answer->bounds.distance));
         json_number(json, "angle_bound", units_shown(&findings->request->units, false, answer->bounds.angle));
@@ -74,7 +75,7 @@ static void write_method(json *json, const findings *findings)
 static void write_parameters(json *json, const findings *findings)
 {
     json_open_array(json, "parameters");
-    for (size_t k = 0; k < findings->request->posed.n_columns; k++) {
+    for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row row = findings_parameter(findings, k);
         json_open_object(json, NULL);
         json_count(json, "link", row.link);
@@ -91,12 +92,12 @@ static void write_parameters(json *json, const findings *findings)
 
 static void write_parts(json *json, const findings *findings)
 {
-    const posed_arm *posed = &findings->request->posed;
+    const armtol_answer *answer = findings->answer;
     const units *units = &findings->request->units;
     json_open_array(json, "parts");
-    for (size_t i = 0; i < posed->n_links; i++) {
-        const part *part = &findings->answer->parts[i];
-        const bool slides = posed->links[i].joint == ARMTOL_PRISMATIC;
+    for (size_t i = 0; i < answer->n_links; i++) {
+        const armtol_part *part = &findings->answer->parts[i];
+        const bool slides = answer->links[i].joint == ARMTOL_PRISMATIC;
         json_open_object(json, NULL);
         json_count(json, "link", i);
         json_number(json, "distance", units_shown(units, true, part->distance));
@@ -110,13 +111,13 @@ static void write_parts(json *json, const findings *findings)
 
 static void write_components(json *json, const findings *findings)
 {
-    const request *request = findings->request;
+    const double *accuracy = findings->request->question.accuracy;
     json_open_array(json, "components");
     for (size_t i = 0; i < 6; i++) {
-        const predicted *component = &findings->answer->components[i];
+        const armtol_predicted *component = &findings->answer->components[i];
         json_open_object(json, NULL);
-        json_text(json, "name", component_names[i]);
-        json_number(json, "accuracy", request->wished ? findings_shown(findings, i, request->accuracy[i]) : (double)NAN);
+        json_text(json, "name", armtol_component_name(i));
+        json_number(json, "accuracy", accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
         json_number(json, "worst_case", findings_shown(findings, i, component->worst));
         json_number(json, "standard_deviation", findings_shown(findings, i, component->deviation));
         json_number(json, "remainder", findings_shown(findings, i, component->remainder));
@@ -126,14 +127,14 @@ static void write_components(json *json, const findings *findings)
     json_close_array(json);
 }
 
-static void write_budget(json *json, const budget *budget)
+static void write_budget(json *json, const armtol_budget *budget)
 {
     json_open_array(json, "budget");
     for (size_t i = 0; i < budget->n_rows; i++) {
-        const budget_row *row = &budget->rows[i];
+        const armtol_budget_row *row = &budget->rows[i];
         json_open_object(json, NULL);
         json_count(json, "link", row->link);
-        json_text(json, "role", row->motor ? "motor" : "machining");
+        json_text(json, "role", armtol_role_name(row->role));
         json_numbers(json, "shares", row->shares, 6);
         json_close_object(json);
     }
@@ -142,16 +143,17 @@ static void write_budget(json *json, const budget *budget)
 
 static void write_verified(json *json, const findings *findings, size_t i)
 {
-    const verified_component *component = &findings->verification->components[i];
-    double quantiles[VERIFICATION_QUANTILES];
-    for (int j = 0; j < VERIFICATION_QUANTILES; j++) {
+    const armtol_verified *component = &findings->verification->components[i];
+    const armtol_predicted *predicted = &findings->answer->components[i];
+    double quantiles[ARMTOL_QUANTILES];
+    for (int j = 0; j < ARMTOL_QUANTILES; j++) {
         quantiles[j] = findings_shown(findings, i, component->quantiles[j]);
     }
     json_open_object(json, NULL);
-    json_text(json, "name", component_names[i]);
-    json_number(json, "prediction", findings_shown(findings, i, component->prediction));
-    json_number(json, "remainder", findings_shown(findings, i, component->remainder));
-    json_numbers(json, "quantiles", quantiles, VERIFICATION_QUANTILES);
+    json_text(json, "name", armtol_component_name(i));
+    json_number(json, "prediction", findings_shown(findings, i, predicted->worst));
+    json_number(json, "remainder", findings_shown(findings, i, predicted->remainder));
+    json_numbers(json, "quantiles", quantiles, ARMTOL_QUANTILES);
     json_number(json, "worst_drawn", findings_shown(findings, i, component->worst_drawn));
     if (isnan(component->worst_drawn)) {
         json_number(json, "worst_arm", (double)NAN);
@@ -164,7 +166,7 @@ static void write_verified(json *json, const findings *findings, size_t i)
 
 static void write_verification(json *json, const findings *findings)
 {
-    const verification *found = findings->verification;
+    const armtol_verification *found = findings->verification;
     const cli_options *options = findings->request->options;
     json_open_object(json, "verification");
     json_count(json, "asked", options->verify);
@@ -173,7 +175,7 @@ static void write_verification(json *json, const findings *findings)
     json_count(json, "within", found->within);
     json_count(json, "beyond", found->beyond);
     json_numbers(json, "share_95", (const double[]){found->share_low, found->share_high}, 2);
-    json_numbers(json, "probabilities", verification_quantiles, VERIFICATION_QUANTILES);
+    json_numbers(json, "probabilities", found->probabilities, ARMTOL_QUANTILES);
     json_open_array(json, "components");
     for (size_t i = 0; i < 6; i++) {
         write_verified(json, findings, i);

@@ -9,16 +9,17 @@ enum { MOST_POSES = 5 };
 
 static void print_pose(const findings *findings, size_t pose)
 {
-    const posed_arm *posed = &findings->request->posed;
+    const armtol_answer *answer = findings->answer;
     const units *units = &findings->request->units;
+    const double *q = findings->request->q + pose * answer->n_joints;
     double point[3];
     size_t joint = 0;
-    posed_arm_tool(posed, pose, point);
+    armtol_answer_tool(answer, pose, point);
     printf("  joints");
-    for (size_t i = 0; i < posed->n_links; i++) {
-        const armtol_joint moved = posed->links[i].joint;
+    for (size_t i = 0; i < answer->n_links; i++) {
+        const armtol_joint moved = answer->links[i].joint;
         if (moved != ARMTOL_FIXED) {
-            printf(" %.6g", units_shown(units, moved == ARMTOL_PRISMATIC, posed->q[pose * posed->n_joints + joint++]));
+            printf(" %.6g", units_shown(units, moved == ARMTOL_PRISMATIC, q[joint++]));
         }
     }
     printf(", tool point");
@@ -30,7 +31,7 @@ static void print_pose(const findings *findings, size_t pose)
 
 static void print_poses(const findings *findings)
 {
-    const size_t n_poses = findings->request->posed.n_poses;
+    const size_t n_poses = findings->answer->n_poses;
     for (size_t pose = 0; pose < n_poses && pose < MOST_POSES; pose++) {
         print_pose(findings, pose);
     }
@@ -48,11 +49,11 @@ static void print_method(const findings *findings)
         return;
     }
     switch (options->method) {
-    case METHOD_RSS:
+    case ARMTOL_METHOD_RSS:
         printf("The largest tolerances with which %g standard deviations of every component are within its accuracy.\n",
                options->sigma);
         break;
-    case METHOD_SPHERE:
+    case ARMTOL_METHOD_SPHERE:
         printf("Tolerances by the bounds of 1987, corrected: distance %.6g, angle %.6g, delta %.6g.\n",
                findings_shown(findings, 0, findings->answer->bounds.distance),
                findings_shown(findings, 3, findings->answer->bounds.angle),
@@ -69,9 +70,9 @@ static void print_unbounded(const findings *findings)
 {
     const char *what = findings->request->tolerances != NULL ? "Without a bound:"
                                                              : "Not seen here, and so without a bound:";
-    const posed_arm *posed = &findings->request->posed;
+    const armtol_answer *answer = findings->answer;
     bool any = false;
-    for (size_t k = 0; k < posed->n_columns; k++) {
+    for (size_t k = 0; k < answer->n_columns; k++) {
         if (isinf(findings->answer->tolerances[k])) {
             const parameter_row row = findings_parameter(findings, k);
             printf("%s%s %s of link %zu", any ? "" : "\n", any ? "," : what, row.parameter, row.link);
@@ -85,7 +86,7 @@ static void print_heading(const findings *findings)
 {
     const request *request = findings->request;
     const units *units = &request->units;
-    printf("%s, in %s and %s\n", request->posed.arm->title, units_name(units, true), units_name(units, false));
+    printf("%s, in %s and %s\n", request->question.arm->title, units_name(units, true), units_name(units, false));
     print_poses(findings);
     print_method(findings);
 }

@@ -11,18 +11,18 @@ static void set_share(table_row *row, size_t i, double share)
     table_set(row, i + 1, isnan(share) ? "-" : "%.1f", 100 * share);
 }
 
-static bool print_table(const budget *budget)
+static bool print_table(const armtol_budget *budget)
 {
     const char *head[7] = {"link"};
     table table;
-    for (int i = 0; i < 6; i++) {
-        head[i + 1] = component_names[i];
+    for (size_t i = 0; i < 6; i++) {
+        head[i + 1] = armtol_component_name(i);
     }
     table_start(&table, 7);
     bool fine = table_add_head(&table, head);
     for (size_t r = 0; r < budget->n_rows && fine; r++) {
         char label[TABLE_CELL];
-        snprintf(label, sizeof label, "%zu %s", budget->rows[r].link, budget->rows[r].motor ? "motor" : "machining");
+        snprintf(label, sizeof label, "%zu %s", budget->rows[r].link, armtol_role_name(budget->rows[r].role));
         table_row *row = table_add(&table, label);
         fine = row != NULL;
         for (size_t i = 0; i < 6 && fine; i++) {
@@ -49,13 +49,13 @@ static char sign_of(size_t link)
 }
 
 /* Up to what the sum of the shares says, which rounding may bring above 1. */
-static void print_bar(const budget *budget, size_t i, bool motor)
+static void print_bar(const armtol_budget *budget, size_t i, armtol_role role)
 {
     double sum = 0;
     size_t at = 0;
     for (size_t r = 0; r < budget->n_rows; r++) {
-        const budget_row *row = &budget->rows[r];
-        sum += row->motor == motor ? row->shares[i] : 0;
+        const armtol_budget_row *row = &budget->rows[r];
+        sum += row->role == role ? row->shares[i] : 0;
         for (const size_t end = (size_t)(fmin(sum, 1) * BAR + 0.5); at < end; at++) {
             putchar(sign_of(row->link));
         }
@@ -63,16 +63,16 @@ static void print_bar(const budget *budget, size_t i, bool motor)
     putchar('\n');
 }
 
-static void print_bars(const budget *budget, size_t i)
+static void print_bars(const armtol_budget *budget, size_t i)
 {
     if (isnan(budget->motors[i])) {
-        printf("  %s without a bound\n", component_names[i]);
+        printf("  %s without a bound\n", armtol_component_name(i));
         return;
     }
-    printf("  %s motors    |", component_names[i]);
-    print_bar(budget, i, true);
+    printf("  %s motors    |", armtol_component_name(i));
+    print_bar(budget, i, ARMTOL_MOTOR);
     printf("     machining |");
-    print_bar(budget, i, false);
+    print_bar(budget, i, ARMTOL_MACHINING);
 }
 
 bool text_budget(const findings *findings)

@@ -44,7 +44,7 @@ bool text_parameters(const findings *findings)
     table table;
     table_start(&table, sizeof head / sizeof head[0]);
     bool fine = table_add_head(&table, head);
-    for (size_t k = 0; k < findings->request->posed.n_columns && fine; k++) {
+    for (size_t k = 0; k < findings->answer->n_columns && fine; k++) {
         const parameter_row parameter = findings_parameter(findings, k);
         table_row *row = add_numbered(&table, parameter.link);
         fine = row != NULL;
@@ -63,8 +63,8 @@ bool text_parameters(const findings *findings)
 static void fill_part(const findings *findings, size_t link, table_row *row)
 {
     const units *units = &findings->request->units;
-    const part *part = &findings->answer->parts[link];
-    const armtol_joint joint = findings->request->posed.links[link].joint;
+    const armtol_part *part = &findings->answer->parts[link];
+    const armtol_joint joint = findings->answer->links[link].joint;
     const bool slides = joint == ARMTOL_PRISMATIC;
     set_number(row, 1, units_shown(units, true, part->distance));
     set_number(row, 2, units_shown(units, false, part->angle));
@@ -77,15 +77,15 @@ static void fill_part(const findings *findings, size_t link, table_row *row)
 bool text_parts(const findings *findings)
 {
     static const char *const head[] = {"link", "distance", "angle", "motor", "unit", "its drive", "good enough"};
-    const posed_arm *posed = &findings->request->posed;
+    const armtol_answer *answer = findings->answer;
     bool drives = false;
-    for (size_t i = 0; i < posed->n_links; i++) {
+    for (size_t i = 0; i < answer->n_links; i++) {
         drives = drives || !isnan(findings->answer->parts[i].drive);
     }
     table table;
     table_start(&table, drives ? 7 : 5);
     bool fine = table_add_head(&table, head);
-    for (size_t i = 0; i < posed->n_links && fine; i++) {
+    for (size_t i = 0; i < answer->n_links && fine; i++) {
         table_row *row = add_numbered(&table, i);
         fine = row != NULL;
         if (fine) {
@@ -98,11 +98,12 @@ bool text_parts(const findings *findings)
 static void fill_component(const findings *findings, size_t i, table_row *row)
 {
     const request *request = findings->request;
-    const predicted *component = &findings->answer->components[i];
-    if (request->wished && isinf(request->accuracy[i])) {
+    const double *accuracy = request->question.accuracy;
+    const armtol_predicted *component = &findings->answer->components[i];
+    if (accuracy != NULL && isinf(accuracy[i])) {
         table_set(row, 1, "free");
     } else {
-        set_number(row, 1, request->wished ? findings_shown(findings, i, request->accuracy[i]) : (double)NAN);
+        set_number(row, 1, accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
     }
     set_number(row, 2, findings_shown(findings, i, component->worst));
     set_number(row, 3, findings_shown(findings, i, request->options->sigma * component->deviation));
@@ -114,7 +115,7 @@ static void fill_component(const findings *findings, size_t i, table_row *row)
 bool text_components(const findings *findings)
 {
     const request *request = findings->request;
-    const bool optimum = request->tolerances == NULL && request->options->method != METHOD_SPHERE;
+    const bool optimum = request->tolerances == NULL && request->options->method != ARMTOL_METHOD_SPHERE;
     const bool along_tool = request->options->frame == ARMTOL_TOOL_FRAME;
     char sigma[32];
     snprintf(sigma, sizeof sigma, "%g sigma", request->options->sigma);
@@ -123,7 +124,7 @@ bool text_components(const findings *findings)
     table_start(&table, optimum ? 7 : 6);
     bool fine = table_add_head(&table, head);
     for (size_t i = 0; i < 6 && fine; i++) {
-        table_row *row = table_add(&table, component_names[i]);
+        table_row *row = table_add(&table, armtol_component_name(i));
         fine = row != NULL;
         if (fine) {
             fill_component(findings, i, row);
@@ -135,22 +136,23 @@ bool text_components(const findings *findings)
 
 static void fill_verified(const findings *findings, size_t i, table_row *row)
 {
-    const verified_component *component = &findings->verification->components[i];
+    const armtol_predicted *predicted = &findings->answer->components[i];
+    const armtol_verified *component = &findings->verification->components[i];
     size_t at = 1;
-    for (int j = 0; j < VERIFICATION_QUANTILES; j++) {
+    for (int j = 0; j < ARMTOL_QUANTILES; j++) {
         set_digits(row, at++, 4, findings_shown(findings, i, component->quantiles[j]));
     }
     set_digits(row, at++, 4, findings_shown(findings, i, component->worst_drawn));
     set_digits(row, at++, 6, findings_shown(findings, i, component->worst_corner));
-    set_digits(row, at++, 6, findings_shown(findings, i, component->prediction));
-    set_digits(row, at, 2, findings_shown(findings, i, component->remainder));
+    set_digits(row, at++, 6, findings_shown(findings, i, predicted->worst));
+    set_digits(row, at, 2, findings_shown(findings, i, predicted->remainder));
 }
 
 static void print_share(const findings *findings)
 {
-    const verification *found = findings->verification;
+    const armtol_verification *found = findings->verification;
     const double drawn = (double)found->drawn;
-    if (!findings->request->wished || found->drawn == 0) {
+    if (findings->request->question.accuracy == NULL || found->drawn == 0) {
         return;
     }
     printf("\n%llu of %llu arms are within the accuracy: %.4f %% (95 %% sure: %.4f to %.4f %%)\n",
@@ -161,11 +163,11 @@ static void print_share(const findings *findings)
 
 bool text_verification(const findings *findings)
 {
-    char quantiles[VERIFICATION_QUANTILES][24];
-    const char *head[VERIFICATION_QUANTILES + 5] = {"error"};
+    char quantiles[ARMTOL_QUANTILES][24];
+    const char *head[ARMTOL_QUANTILES + 5] = {"error"};
     size_t at = 1;
-    for (int j = 0; j < VERIFICATION_QUANTILES; j++) {
-        snprintf(quantiles[j], sizeof quantiles[j], "%g %%", 100 * verification_quantiles[j]);
+    for (int j = 0; j < ARMTOL_QUANTILES; j++) {
+        snprintf(quantiles[j], sizeof quantiles[j], "%g %%", 100 * findings->verification->probabilities[j]);
         head[at++] = quantiles[j];
     }
     head[at++] = "worst";
@@ -178,7 +180,7 @@ bool text_verification(const findings *findings)
     bool fine = table_add_head(&table, head);
     for (size_t i = 0; i < 6 && fine; i++) {
         char label[TABLE_CELL];
-        snprintf(label, sizeof label, "%s, %s", component_names[i], units_name(&findings->request->units, i < 3));
+        snprintf(label, sizeof label, "%s, %s", armtol_component_name(i), units_name(&findings->request->units, i < 3));
         table_row *row = table_add(&table, label);
         fine = row != NULL;
         if (fine) {

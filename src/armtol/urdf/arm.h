@@ -1,7 +1,7 @@
 #ifndef ARMTOL_URDF_ARM_H
 #define ARMTOL_URDF_ARM_H
 
-#include "armtol/engine/arm_model.h"
+#include "armtol/tables/arm_model.h"
 #include "armtol/urdf/chain.h"
 
 #include <stdbool.h>

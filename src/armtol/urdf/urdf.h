@@ -1,7 +1,7 @@
 #ifndef ARMTOL_URDF_URDF_H
 #define ARMTOL_URDF_URDF_H
 
-#include "armtol/engine/arm_model.h"
+#include "armtol/tables/arm_model.h"
 
 #include <stdbool.h>
 #include <stdio.h>

@@ -15,12 +15,6 @@ bool length_reading_of(const char *name, length_reading *reading)
     return false;
 }
 
-static bool is_moved(const armtol_link *link, armtol_parameter parameter)
-{
-    return (link->joint == ARMTOL_REVOLUTE && parameter == ARMTOL_THETA) ||
-           (link->joint == ARMTOL_PRISMATIC && parameter == ARMTOL_D);
-}
-
 static bool has_one_length(const armtol_link *link)
 {
     size_t count, lengths = 0;
@@ -34,7 +28,7 @@ static bool has_one_length(const armtol_link *link)
 static double tolerance_of(const analysis *analysis, length_reading reading, const armtol_column *column)
 {
     const armtol_link *link = &analysis->links[column->link];
-    if (is_moved(link, column->parameter)) {
+    if (armtol_joint_moves(link->joint, column->parameter)) {
         return analysis->motor[armtol_joint_count(analysis->links, column->link)];
     }
     if (!armtol_parameter_is_length(column->parameter)) {

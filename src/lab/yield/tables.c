@@ -1,10 +1,9 @@
 #include "lab/yield/tables.h"
 
-#include "console/share_interval.h"
+#include "1987/report.h"
 
 #include <stdio.h>
 
-static const char *const row_names[6] = {"dx", "dy", "dz", "dwx", "dwy", "dwz"};
 static const char *const set_names[SET_COUNT] = {"published", "corrected"};
 
 /* Fills the cells after the first, which names case and set. */
@@ -50,7 +49,7 @@ static bool print_sets(const yield_case cases[], size_t n_cases, table_format fo
 static void fill_share(const set_result *set, table_row *row)
 {
     const arm_draws *draws = &set->draws;
-    const share_interval interval = share_interval_95(draws->within, draws->samples);
+    const armtol_share_interval interval = armtol_share_interval_95(draws->within, draws->samples);
     table_set(row, 1, "%.6f", set->length);
     table_set(row, 2, "%.6f", set->angle);
     table_set(row, 3, "%zu", draws->within);
@@ -85,7 +84,7 @@ static void fill_angular(const set_result *set, table_row *row)
 static void fill_worst(const set_result *set, table_row *row)
 {
     const corner *worst = &set->worst;
-    table_set(row, 1, "%c%s", worst->sign > 0 ? '+' : '-', row_names[worst->row]);
+    table_set(row, 1, "%c%s", worst->sign > 0 ? '+' : '-', tolerance_names[worst->row]);
     table_set(row, 2, "%.4f", set->rows[worst->row].prediction);
     table_set(row, 3, "%.4f", worst->largest);
     table_set(row, 4, "%.4f", worst->distance);
@@ -141,7 +140,7 @@ static bool print_worst(const yield_case cases[], size_t n_cases, table_format f
 static bool add_components(table *table, const yield_case *one)
 {
     for (size_t i = 0; i < 6; i++) {
-        table_row *row = table_add(table, row_names[i]);
+        table_row *row = table_add(table, tolerance_names[i]);
         if (row == NULL) {
             return false;
         }

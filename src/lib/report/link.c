@@ -45,6 +45,21 @@ bool armtol_parameter_is_length(armtol_parameter parameter)
     return parameter == ARMTOL_A || parameter == ARMTOL_D;
 }
 
+double *armtol_link_parameter(armtol_link *link, armtol_parameter parameter)
+{
+    double *const places[ARMTOL_PARAMETER_COUNT] = {
+        [ARMTOL_THETA] = &link->theta, [ARMTOL_D] = &link->d,       [ARMTOL_A] = &link->a,
+        [ARMTOL_ALPHA] = &link->alpha, [ARMTOL_BETA] = &link->beta,
+    };
+    return (size_t)parameter < ARMTOL_PARAMETER_COUNT ? places[parameter] : NULL;
+}
+
+bool armtol_joint_moves(armtol_joint joint, armtol_parameter parameter)
+{
+    return (joint == ARMTOL_REVOLUTE && parameter == ARMTOL_THETA) ||
+           (joint == ARMTOL_PRISMATIC && parameter == ARMTOL_D);
+}
+
 static armtol_status check_link(const armtol_link *link)
 {
     if ((size_t)link->kind >= ARMTOL_KIND_COUNT) {

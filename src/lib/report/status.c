@@ -19,6 +19,9 @@ const char *armtol_status_text(armtol_status status)
         [ARMTOL_BAD_WEIGHT] = "a weight is not greater than zero",
         [ARMTOL_BAD_AXIS] = "an axis has no direction or no joint that moves",
         [ARMTOL_NOT_SOLVED] = "the iteration did not converge",
+        [ARMTOL_NO_MEMORY] = "out of memory",
+        [ARMTOL_BAD_QUESTION] = "the question lacks something, or its method is not known",
+        [ARMTOL_UNBOUNDED] = "the tolerances leave a component without a bound",
     };
     const size_t index = (size_t)status;
     return index < ARMTOL_STATUS_COUNT ? texts[index] : "unknown status";

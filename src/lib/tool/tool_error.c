@@ -7,29 +7,13 @@
 
 #include <math.h>
 
-static double *field_of(armtol_link *link, armtol_parameter parameter)
-{
-    switch (parameter) {
-    case ARMTOL_THETA:
-        return &link->theta;
-    case ARMTOL_D:
-        return &link->d;
-    case ARMTOL_A:
-        return &link->a;
-    case ARMTOL_ALPHA:
-        return &link->alpha;
-    default:
-        return &link->beta;
-    }
-}
-
 /* The link with errors of the parameters that its kind counts; *count is their number. */
 static armtol_link built_link(const armtol_link *link, const double parameter_errors[], size_t *count)
 {
     armtol_link built = *link;
     const armtol_parameter *parameters = armtol_kind_parameters(link->kind, count);
     for (size_t k = 0; k < *count; k++) {
-        *field_of(&built, parameters[k]) += parameter_errors[k];
+        *armtol_link_parameter(&built, parameters[k]) += parameter_errors[k];
     }
     return built;
 }

@@ -1,0 +1,96 @@
+#ifndef ARMTOL_ANSWER_H
+#define ARMTOL_ANSWER_H
+
+#include "armtol/bounds.h"
+#include "armtol/error_matrix.h"
+#include "armtol/interface.h"
+#include "armtol/question.h"
+
+ARMTOL_INTERFACE_BEGIN
+
+/* What whoever makes a link, and its joint, has to keep to. nan where there is nothing to keep to. */
+typedef struct armtol_part {
+    double distance; /* between the axes of the link, Eq. (4.32) */
+    double angle;    /* the smallest of the link's angles that no motor moves */
+    double motor;    /* the joint's */
+    double drive;    /* how far the drive of the joint is off: backlash and compliance, Eqs (4.33), (4.34) */
+} armtol_part;
+
+/* One component of the tool's error, the largest of all poses. Magnitudes; infinite where nothing bounds them. */
+typedef struct armtol_predicted {
+    double worst;      /* sum over |A| t */
+    double deviation;  /* the standard deviation, every error being even within its tolerance */
+    double remainder;  /* what the exact error can differ from A's by (armtol_remainder) */
+    double binds;      /* the share of the optimum that this component's limit holds down, over all poses */
+    size_t worst_pose; /* where `worst` is largest, the first of several */
+} armtol_predicted;
+
+/*
+ * An answer, whole in itself: it needs nothing of the question any more, so that armtol_budget_create and armtol_verify
+ * need it alone. To be read, not to be changed.
+ */
+typedef struct armtol_answer {
+    size_t n_links, n_joints, n_columns, n_poses;
+    armtol_tool_point tool;
+    armtol_method method;   /* the question's, also where tolerances were given */
+    double accuracy[6];     /* infinity where none is asked for */
+    armtol_column *columns; /* n_columns: what they stand for */
+    armtol_link *links;     /* n_poses x n_links, placed */
+    double *matrices;       /* n_poses x 6 x n_columns: A of every pose, one below the other (tool_matrix.h) */
+
+    double *tolerances; /* n_columns; infinity for a parameter that no bounded component sees */
+    double *bounded;    /* the same with 0 for infinity: what is not bounded counts as exact */
+    armtol_part *parts; /* n_links */
+    armtol_predicted components[6];
+    armtol_bounds bounds; /* ARMTOL_METHOD_SPHERE, tolerances asked for: the two radii; else 0 */
+    double delta;         /* likewise; else nan */
+} armtol_answer;
+
+/*
+ * Answer a question: place the arm, find the tolerances or take those given, and say what follows from them.
+ *
+ * Given:
+ *    question   see question.h; NULL is not allowed
+ *
+ * Returned:
+ *    *answer    the answer, to be freed with armtol_answer_destroy; NULL after an error
+ *    *fault     what the status is about; may be NULL. After ARMTOL_OK about nothing
+ *
+ * Notes:
+ * 1) Parts. By method sphere, tolerances asked for, they are as the report has them: the distance of Eq. (4.32) for a and d
+ *    both off by the share, whether the link counts them or not, and that distance for the motor of a prismatic joint.
+ *    Else a parameter that the link does not count is exact, and the motor has the tolerance of the parameter it moves.
+ * 2) Delta that is to be chosen is armtol_sphere_delta's, its lever the length of the arm when it is stretched: the sum
+ *    of sqrt(a^2 + d^2), the largest of all poses, and the tool's offset; 1 for an arm without any length.
+ * 3) The same question has the same answer to the bit on every machine with IEEE arithmetic.
+ * 4) Questions may be answered on several threads at once. Memory comes from calloc; no other state is kept.
+ *
+ * Errors:
+ *    ARMTOL_NO_MEMORY
+ *    ARMTOL_BAD_QUESTION    about the question: no arm, no joint values for an arm with joints, no pose, or neither an
+ *                           accuracy nor tolerances; about the method: a value that is none, or with ARMTOL_METHOD_RSS
+ *                           a sigma that is not > 0 and finite
+ *    ARMTOL_NO_LINKS, ARMTOL_BAD_KIND, ARMTOL_BAD_JOINT, ARMTOL_NOT_FINITE  about the arm
+ *    ARMTOL_NOT_FINITE      about a pose: a joint value that is not, or A overflows (an offset that is not finite too)
+ *    ARMTOL_BAD_TOLERANCE   about the accuracy: a component that is not > 0; about tolerances: one that is not >= 0
+ *    ARMTOL_BAD_WEIGHT      about the weights: one that is not > 0 and finite
+ *    ARMTOL_BAD_DELTA, ARMTOL_NOT_FINITE, ARMTOL_NOT_SOLVED  about the method: no tolerances (optimum.h, sphere.h)
+ *
+ * Reference:
+ *    Hahn 1987, sections 4.1 to 4.4 (A, the bounds, Eqs 4.32 to 4.34); the optimum is ours.
+ */
+armtol_status armtol_answer_create(const armtol_question *question, armtol_answer **answer, armtol_fault *fault);
+
+/* answer may be NULL. */
+void armtol_answer_destroy(armtol_answer *answer);
+
+/* Of one pose, from 0: its placed links; A. */
+const armtol_link *armtol_answer_links(const armtol_answer *answer, size_t pose);
+const double *armtol_answer_matrix(const armtol_answer *answer, size_t pose);
+
+/* Where the tool point should be in that pose, in the base's coordinates. */
+void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3]);
+
+ARMTOL_INTERFACE_END
+
+#endif

@@ -1,0 +1,61 @@
+#ifndef ARMTOL_BUDGET_H
+#define ARMTOL_BUDGET_H
+
+#include "armtol/answer.h"
+#include "armtol/interface.h"
+
+#include <stddef.h>
+
+ARMTOL_INTERFACE_BEGIN
+
+/* Who sees to a parameter. */
+typedef enum armtol_role {
+    ARMTOL_MACHINING, /* whoever makes the link */
+    ARMTOL_MOTOR,     /* whoever drives the joint: the parameter that it moves */
+    ARMTOL_ROLE_COUNT
+} armtol_role;
+
+/* "machining", "motor"; "?" for a value that is none. */
+const char *armtol_role_name(armtol_role role);
+
+/* The role of a link's parameter. */
+armtol_role armtol_role_of(const armtol_link *link, armtol_parameter parameter);
+
+/* Where the error comes from: what one link's making, or its motor, has to do with each component of it. */
+typedef struct armtol_budget_row {
+    size_t link;
+    armtol_role role;
+    double shares[6]; /* of the component's predicted error, 0 to 1 */
+} armtol_budget_row;
+
+typedef struct armtol_budget {
+    size_t n_rows;           /* two a link at most */
+    armtol_budget_row *rows; /* in link order, making before motor, those without a parameter left out */
+    double motors[6];        /* the share of all motors; that of all making is what is missing from 1 */
+} armtol_budget;
+
+/*
+ * Share out the predicted error of every component among those who see to it.
+ *
+ * Given:
+ *    answer     the tolerances and A; NULL is not allowed
+ *
+ * Returned:
+ *    *budget    the shares, to be freed with armtol_budget_destroy; NULL after an error
+ *
+ * Notes:
+ * 1) The shares are those of the worst case, |A| t, or with method rss of the summed squares, (A t)^2.
+ * 2) Each component in the pose where its worst case is largest (worst_pose).
+ * 3) All shares are 0 for a component that nothing moves, and nan for one that nothing bounds.
+ *
+ * Errors:
+ *    ARMTOL_NO_MEMORY
+ */
+armtol_status armtol_budget_create(const armtol_answer *answer, armtol_budget **budget);
+
+/* budget may be NULL. */
+void armtol_budget_destroy(armtol_budget *budget);
+
+ARMTOL_INTERFACE_END
+
+#endif

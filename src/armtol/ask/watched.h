@@ -1,0 +1,14 @@
+#ifndef ARMTOL_ASK_WATCHED_H
+#define ARMTOL_ASK_WATCHED_H
+
+#include "armtol/verification.h"
+
+/*
+ * armtol_verify with somebody who waits for it: a progress bar on standard error where that is a terminal and the
+ * drawing takes longer than a second; an interrupt (SIGINT) ends the work, not the program, and a second one the program.
+ * progress and context of the draw are not looked at.
+ */
+armtol_status watched_verify(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found,
+                             armtol_fault *fault);
+
+#endif

@@ -1,0 +1,98 @@
+#include "armtol/budget.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+const char *armtol_role_name(armtol_role role)
+{
+    static const char *const names[ARMTOL_ROLE_COUNT] = {"machining", "motor"};
+    return (size_t)role < ARMTOL_ROLE_COUNT ? names[role] : "?";
+}
+
+armtol_role armtol_role_of(const armtol_link *link, armtol_parameter parameter)
+{
+    return armtol_joint_moves(link->joint, parameter) ? ARMTOL_MOTOR : ARMTOL_MACHINING;
+}
+
+/* The place of the row that a column counts for, as long as every link has one of each role. */
+static size_t row_of(const armtol_answer *answer, size_t column)
+{
+    const armtol_column *at = &answer->columns[column];
+    return ARMTOL_ROLE_COUNT * at->link + armtol_role_of(&answer->links[at->link], at->parameter);
+}
+
+/* What a column puts into a component: a magnitude, or its square. */
+static double contribution(const armtol_answer *answer, size_t column, size_t i)
+{
+    const double *matrix = armtol_answer_matrix(answer, answer->components[i].worst_pose);
+    const double error = fabs(matrix[i * answer->n_columns + column]) * answer->bounded[column];
+    return answer->method == ARMTOL_METHOD_RSS ? error * error : error;
+}
+
+static double share_of(double part, double total)
+{
+    return isinf(total) ? (double)NAN : total > 0 ? part / total : 0;
+}
+
+static void add_component(armtol_budget *budget, const armtol_answer *answer, size_t i)
+{
+    double total = isinf(answer->components[i].worst) ? (double)INFINITY : 0;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        total += contribution(answer, k, i);
+    }
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        armtol_budget_row *row = &budget->rows[row_of(answer, k)];
+        const double share = share_of(contribution(answer, k, i), total);
+        row->shares[i] += share;
+        budget->motors[i] += row->role == ARMTOL_MOTOR ? share : 0;
+    }
+}
+
+/* Only the rows that some column counts for are kept. */
+static void drop_empty_rows(armtol_budget *budget, const armtol_answer *answer)
+{
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        budget->rows[row_of(answer, k)].link = answer->columns[k].link;
+    }
+    for (size_t i = 0; i < ARMTOL_ROLE_COUNT * answer->n_links; i++) {
+        if (budget->rows[i].link < answer->n_links) {
+            budget->rows[budget->n_rows++] = budget->rows[i];
+        }
+    }
+}
+
+static void fill(armtol_budget *budget, const armtol_answer *answer)
+{
+    for (size_t i = 0; i < ARMTOL_ROLE_COUNT * answer->n_links; i++) {
+        budget->rows[i] = (armtol_budget_row){.link = SIZE_MAX, .role = (armtol_role)(i % ARMTOL_ROLE_COUNT)};
+    }
+    for (size_t i = 0; i < 6; i++) {
+        add_component(budget, answer, i);
+    }
+    drop_empty_rows(budget, answer);
+}
+
+armtol_status armtol_budget_create(const armtol_answer *answer, armtol_budget **budget)
+{
+    *budget = calloc(1, sizeof **budget);
+    if (*budget == NULL) {
+        return ARMTOL_NO_MEMORY;
+    }
+    (*budget)->rows = calloc(answer->n_links, ARMTOL_ROLE_COUNT * sizeof *(*budget)->rows);
+    if ((*budget)->rows == NULL) {
+        armtol_budget_destroy(*budget);
+        *budget = NULL;
+        return ARMTOL_NO_MEMORY;
+    }
+    fill(*budget, answer);
+    return ARMTOL_OK;
+}
+
+void armtol_budget_destroy(armtol_budget *budget)
+{
+    if (budget != NULL) {
+        free(budget->rows);
+        free(budget);
+    }
+}

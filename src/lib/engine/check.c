@@ -1,0 +1,57 @@
+#include "lib/engine/check.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+armtol_fault fault_of(armtol_status status, armtol_subject about, size_t number)
+{
+    const bool fine = status == ARMTOL_OK;
+    return (armtol_fault){status, fine ? ARMTOL_ABOUT_NOTHING : about, fine ? 0 : number};
+}
+
+static bool is_positive(double value)
+{
+    return value > 0 && isfinite(value);
+}
+
+static bool is_whole(const armtol_question *question)
+{
+    const armtol_arm *arm = question->arm;
+    return arm != NULL && question->n_poses > 0 && (question->accuracy != NULL || question->tolerances != NULL) &&
+           (question->q != NULL || armtol_joint_count(arm->links, arm->n_links) == 0);
+}
+
+static bool is_method(const armtol_question *question)
+{
+    return (size_t)question->method < ARMTOL_METHOD_COUNT &&
+           (question->method != ARMTOL_METHOD_RSS || is_positive(question->sigma));
+}
+
+armtol_fault question_check(const armtol_question *question)
+{
+    if (!is_whole(question)) {
+        return fault_of(ARMTOL_BAD_QUESTION, ARMTOL_ABOUT_QUESTION, 0);
+    }
+    if (!is_method(question)) {
+        return fault_of(ARMTOL_BAD_QUESTION, ARMTOL_ABOUT_METHOD, 0);
+    }
+    for (size_t i = 0; i < 6 && question->accuracy != NULL; i++) {
+        if (!(question->accuracy[i] > 0)) {
+            return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_ACCURACY, i);
+        }
+    }
+    return fault_of(armtol_links_check(question->arm->links, question->arm->n_links), ARMTOL_ABOUT_ARM, 0);
+}
+
+armtol_fault question_check_columns(const armtol_question *question, size_t n_columns)
+{
+    for (size_t k = 0; k < n_columns; k++) {
+        if (question->weights != NULL && !is_positive(question->weights[k])) {
+            return fault_of(ARMTOL_BAD_WEIGHT, ARMTOL_ABOUT_WEIGHTS, k);
+        }
+        if (question->tolerances != NULL && !(question->tolerances[k] >= 0)) {
+            return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_TOLERANCES, k);
+        }
+    }
+    return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
+}

@@ -1,0 +1,86 @@
+#include "lib/engine/parts.h"
+
+#include "armtol/machining.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+/* The tolerances of one link, nan for a parameter that it does not count. */
+typedef struct link_tolerances {
+    double of[ARMTOL_PARAMETER_COUNT];
+} link_tolerances;
+
+static link_tolerances of_link(const armtol_answer *answer, size_t link)
+{
+    link_tolerances found;
+    for (int i = 0; i < ARMTOL_PARAMETER_COUNT; i++) {
+        found.of[i] = (double)NAN;
+    }
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (answer->columns[k].link == link) {
+            found.of[answer->columns[k].parameter] = answer->tolerances[k];
+        }
+    }
+    return found;
+}
+
+static double or_exact(double tolerance)
+{
+    return isnan(tolerance) ? 0 : tolerance;
+}
+
+static armtol_part part_of(const armtol_link *link, const link_tolerances *tolerances)
+{
+    const double *of = tolerances->of;
+    const bool turns = link->joint == ARMTOL_REVOLUTE, slides = link->joint == ARMTOL_PRISMATIC;
+    const double made_theta = turns ? (double)NAN : of[ARMTOL_THETA];
+    const double made_d = slides ? 0 : or_exact(of[ARMTOL_D]);
+    return (armtol_part){
+        .distance = armtol_distance_tolerance(link->a, link->d, or_exact(of[ARMTOL_A]), made_d),
+        .angle = fmin(made_theta, fmin(of[ARMTOL_ALPHA], of[ARMTOL_BETA])), /* fmin passes nan over */
+        .motor = turns ? of[ARMTOL_THETA] : slides ? of[ARMTOL_D] : (double)NAN,
+    };
+}
+
+/* As the programs of 1987 have it, corrected. */
+static armtol_part part_of_sphere(const armtol_link *link, const link_tolerances *tolerances)
+{
+    const double *of = tolerances->of;
+    const armtol_shares shares = {fmin(of[ARMTOL_A], of[ARMTOL_D]), of[ARMTOL_ALPHA]};
+    const double distance = isinf(shares.distance)
+                                ? shares.distance
+                                : armtol_machining_distance(link, shares.distance, &armtol_errata_none);
+    return (armtol_part){
+        .distance = distance,
+        .angle = shares.angle,
+        .motor = link->joint == ARMTOL_FIXED ? (double)NAN : armtol_motor_tolerance(link, distance, &shares),
+    };
+}
+
+void answer_make_parts(armtol_answer *answer, const armtol_question *question)
+{
+    const bool sphere = question->tolerances == NULL && question->method == ARMTOL_METHOD_SPHERE;
+    for (size_t i = 0; i < answer->n_links; i++) {
+        const armtol_link *link = &answer->links[i];
+        const armtol_drive *drive = &question->arm->drives[i];
+        const link_tolerances of = of_link(answer, i);
+        armtol_part *part = &answer->parts[i];
+        *part = sphere ? part_of_sphere(link, &of) : part_of(link, &of);
+        part->drive = link->joint == ARMTOL_FIXED ? (double)NAN : armtol_drive_error(drive);
+    }
+}
+
+double answer_lever(const armtol_answer *answer)
+{
+    const double *offset = answer->tool.offset;
+    double longest = 0;
+    for (size_t pose = 0; pose < answer->n_poses; pose++) {
+        const armtol_link *links = armtol_answer_links(answer, pose);
+        double length = sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
+        for (size_t i = 0; i < answer->n_links; i++) {
+            length += sqrt(links[i].a * links[i].a + links[i].d * links[i].d);
+        }
+        longest = fmax(longest, length);
+    }
+    return longest > 0 ? longest : 1;
+}

@@ -1,0 +1,72 @@
+#include "lib/engine/place.h"
+
+#include "armtol/link_transform.h"
+#include "armtol/tool_matrix.h"
+#include "lib/engine/check.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+
+static bool get_memory(armtol_answer *answer)
+{
+    answer->columns = calloc(answer->n_columns, sizeof *answer->columns);
+    answer->links = calloc(answer->n_poses, answer->n_links * sizeof *answer->links);
+    answer->matrices = calloc(answer->n_poses, 6 * answer->n_columns * sizeof *answer->matrices);
+    return answer->columns != NULL && answer->links != NULL && answer->matrices != NULL;
+}
+
+static armtol_status place(armtol_answer *answer, const armtol_question *question, size_t pose)
+{
+    const armtol_arm *arm = question->arm;
+    const size_t n = answer->n_columns, n_joints = answer->n_joints;
+    const double none = 0, *q = n_joints > 0 ? question->q + pose * n_joints : &none;
+    armtol_link *links = answer->links + pose * answer->n_links;
+    const armtol_status status =
+        armtol_links_place(arm->links, arm->n_links, q, n_joints, &armtol_errata_none, links);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    return armtol_tool_matrix(links, answer->n_links, &answer->tool, answer->matrices + pose * 6 * n, n);
+}
+
+armtol_fault answer_place(armtol_answer *answer, const armtol_question *question)
+{
+    const armtol_arm *arm = question->arm;
+    answer->n_links = arm->n_links;
+    answer->n_joints = armtol_joint_count(arm->links, arm->n_links);
+    answer->n_columns = armtol_column_count(arm->links, arm->n_links);
+    answer->n_poses = question->n_poses;
+    answer->tool = question->tool;
+    if (!get_memory(answer)) {
+        return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
+    }
+    armtol_columns(arm->links, arm->n_links, answer->columns, answer->n_columns); /* the links are known to be fine */
+    armtol_status status = ARMTOL_OK;
+    size_t pose = 0;
+    while (pose < answer->n_poses && (status = place(answer, question, pose)) == ARMTOL_OK) {
+        pose++;
+    }
+    return fault_of(status, ARMTOL_ABOUT_POSE, pose);
+}
+
+const armtol_link *armtol_answer_links(const armtol_answer *answer, size_t pose)
+{
+    return answer->links + pose * answer->n_links;
+}
+
+const double *armtol_answer_matrix(const armtol_answer *answer, size_t pose)
+{
+    return answer->matrices + pose * 6 * answer->n_columns;
+}
+
+void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3])
+{
+    const armtol_transform last =
+        armtol_chain_transform(armtol_answer_links(answer, pose), answer->n_links, &armtol_errata_none);
+    for (int i = 0; i < 3; i++) {
+        point[i] = last.m[i][3];
+        for (int j = 0; j < 3; j++) {
+            point[i] += last.m[i][j] * answer->tool.offset[j];
+        }
+    }
+}
