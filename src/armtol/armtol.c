@@ -55,23 +55,24 @@ static bool print(const findings *findings)
     }
 }
 
-static int tell(findings *findings)
+static int tell(const request *request, const armtol_answer *answer)
 {
     armtol_budget *budget = NULL;
     armtol_verification found;
-    if (findings->request->options->verify != 0) {
-        const int code = verify(findings->request, findings->answer, &found);
+    findings findings = {request, answer, NULL, NULL};
+    if (request->options->verify != 0) {
+        const int code = verify(request, answer, &found);
         if (code != EXIT_OK) {
             return code;
         }
-        findings->verification = &found;
+        findings.verification = &found;
     }
-    if (findings->request->options->budget && armtol_budget_create(findings->answer, &budget) != ARMTOL_OK) {
+    if (request->options->budget && armtol_budget_create(answer, &budget) != ARMTOL_OK) {
         out_of_memory();
         return EXIT_FAILED;
     }
-    findings->budget = budget;
-    const bool fine = print(findings);
+    findings.budget = budget;
+    const bool fine = print(&findings);
     armtol_budget_destroy(budget);
     return fine ? EXIT_OK : EXIT_FAILED;
 }
@@ -81,7 +82,7 @@ static int answer_request(const request *request)
     armtol_answer *answer;
     int code = request_answer(request, &answer);
     if (code == EXIT_OK) {
-        code = tell(&(findings){.request = request, .answer = answer});
+        code = tell(request, answer);
         armtol_answer_destroy(answer);
     }
     return code;

@@ -44,7 +44,6 @@ HEAVY = r"^(memcheck|build|docs|fault|fuzz|machines|man)_|^(install|example.*|ex
 
 # Where a folder's mistakes show first; the tests of the file's own name go before these, all others after them.
 FIRST = {
-    "src/lib/engine": ("test_question", "test_verification", "test_answer", "golden"),
     "src/lib": ("golden", "test_published", "test_errata_effects", "test_robots", "test_tool_error", "test_answer"),
     "src/console": ("golden", "test_number", "test_flags", "test_options", "test_armtol", "test_wrong_input"),
     "src/1987": ("golden", "test_options", "test_files", "test_wrong_input", "test_terminal", "test_faults"),

@@ -236,7 +236,7 @@ static void test_a_pose_that_cannot_be_computed_with(void)
 
 static void test_an_accuracy_that_is_none(void)
 {
-    static const double wrong[] = {0, -1, NAN, -INFINITY};
+    static const double wrong[] = {0, -1, NAN, -(double)INFINITY};
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
         one_link one;
         double asked[6] = {1, 1, 1, 1, 1, 1};

@@ -241,7 +241,7 @@ static void test_infinite_tolerances_are_not_drawn(void)
 
 static void test_a_component_without_a_bound_has_no_accuracy_to_keep_to(void)
 {
-    double accuracy[6] = {1, 1, 1, INFINITY, 0.01, 1};
+    const double accuracy[6] = {1, 1, 1, INFINITY, 0.01, 1}, without[6] = {1, 1, 1, INFINITY, INFINITY, 1};
     one_link one;
     armtol_answer *answer;
     armtol_verification found;
@@ -254,7 +254,7 @@ static void test_a_component_without_a_bound_has_no_accuracy_to_keep_to(void)
     TEST_ASSERT_TRUE(fault.status == ARMTOL_UNBOUNDED && fault.about == ARMTOL_ABOUT_ACCURACY && fault.number == 4);
     TEST_ASSERT_EQUAL_INT(ARMTOL_UNBOUNDED, armtol_verify(answer, &one.draw, &found, NULL));
     armtol_answer_destroy(answer);
-    accuracy[4] = INFINITY;
+    one.question.accuracy = without;
     const outcome free_row = run(&one);
     TEST_ASSERT_TRUE(free_row.found.drawn == 5000);
 }
