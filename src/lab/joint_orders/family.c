@@ -17,19 +17,6 @@ configuration family_default(void)
     return (configuration){{0}};
 }
 
-configuration family_unrounded(const family *family)
-{
-    configuration unrounded = family_default();
-    for (size_t i = 0; i < family->n_choices; i++) {
-        for (size_t j = 0; j < choice_count(&family->choices[i]); j++) {
-            if (strcmp(family->choices[i].options[j].name, "double") == 0) {
-                unrounded.option[i] = (unsigned char)j;
-            }
-        }
-    }
-    return unrounded;
-}
-
 const family *const families[FAMILIES] = {&family_intelledex, &family_adept};
 
 bool family_restrict(const family *family, const char *text, size_t length, restriction *given)

@@ -9,7 +9,11 @@
 /*
  * A family of ways in which the inverse kinematics of an arm may have been written: a table of choices, each
  * with its options. A configuration is one option of each choice; option 0 of all is what the library does.
- * Always expressions are in double, the wish is in floats and `close` is 0, as in the listings of 1987.
+ *
+ * A choice is what the listing of 1987 leaves open: the steps inside of `invintell` and `invadept`, the two routines
+ * that it does not print. What it prints is the same in every configuration: expressions are in double; variables,
+ * arrays, the desired position and the joint values are floats; matrices are made by eulerzyx and transf, inverted by
+ * invtrf, multiplied by mpynn; PI is 3.14159; tclose is 0.
  */
 
 enum { MOST_CHOICES = 24, MOST_OPTIONS = 6, MOST_JOINTS = 6, MOST_WISH = 6 };
@@ -45,7 +49,6 @@ typedef struct family {
     const armtol_robot *robot;
     const choice *choices;
     size_t n_choices;
-    size_t pi; /* a choice that both programs make together: they include the same header */
     const step *steps;
     size_t n_steps;
 
@@ -66,9 +69,6 @@ size_t choice_count(const choice *choice);
 
 /* The configuration of the library. */
 configuration family_default(void);
-
-/* The library's, but that nothing is stored: each choice that has an option "double" takes it. */
-configuration family_unrounded(const family *family);
 
 /* Options that some choices are to have. */
 typedef struct restriction {

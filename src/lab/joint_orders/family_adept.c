@@ -1,5 +1,6 @@
 #include "lab/joint_orders/family.h"
 
+#include "armtol/solve.h"
 #include "lab/joint_orders/keep.h"
 
 #include <math.h>
@@ -8,20 +9,17 @@
 #define INNER_LINK 425.0
 #define OUTER_LINK 375.0
 
-enum { PI, ELBOW, COSINE, ROOT, SHOULDER, SINES, JOINTS, SUM, TURNS, CONSTANTS, CHOICES };
+enum { ELBOW, COSINE, ROOT, SHOULDER, SINES, SUM, TURNS, CONSTANTS, CHOICES };
 
-enum { PI_SHORT, PI_TRUE };
 enum { ELBOW_PI_ACOS, ELBOW_ACOS, ELBOW_PI_ATAN2, ELBOW_ATAN2, ELBOW_SOLVE };
 enum { STORED, NOT_STORED };
 enum { SHOULDER_ATAN2, SHOULDER_ONE_ATAN2, SHOULDER_ACOS };
 enum { SINES_DOUBLE, SINES_FLOAT };
-enum { JOINTS_FLOAT, JOINTS_LATE, JOINTS_DOUBLE };
 enum { SUM_IN_TURN, SUM_STORED };
 enum { TURNS_KEPT, TURNS_WRAPPED };
 enum { CONSTANTS_DOUBLE, CONSTANTS_FLOAT };
 
 static const choice choices[CHOICES] = {
-    [PI] = {"pi", "pi", 0, {{"3.14159", "the macro of the headers"}, {"true", "all digits of a double"}}},
     [ELBOW] = {"elbow", "how q2 is found", 0,
                {{"pi-acos", "pi - acos(c), c the cosine of the angle between the links"},
                 {"acos", "acos(-c)"},
@@ -29,33 +27,28 @@ static const choice choices[CHOICES] = {
                 {"atan2", "atan2(sqrt(1 - c^2), -c)"},
                 {"solve", "q1 first, by solve; then q2 from where the elbow is"}}},
     [COSINE] = {"cosine", "c, or the d that solve is given", 0,
-                {{"float", "stored"}, {"double", "not stored"}}},
-    [ROOT] = {"root", "the square root", 0, {{"float", "stored"}, {"double", "not stored"}}},
+                {{"float", "a variable"}, {"double", "inside an expression"}}},
+    [ROOT] = {"root", "the square root outside of solve", 0,
+              {{"float", "a variable"}, {"double", "inside an expression"}}},
     [SHOULDER] = {"shoulder", "how q1 is found", 0,
                   {{"atan2", "atan2(y, x) less the angle at the shoulder, by atan2"},
                    {"one-atan2", "one atan2 of both angles together"},
                    {"acos", "atan2(y, x) less the angle at the shoulder, by acos"}}},
     [SINES] = {"sines", "sines and cosines", 0,
-               {{"double", "inside expressions, not stored"}, {"float", "stored"}}},
-    [JOINTS] = {"joints", "joint values", 0,
-                {{"float", "stored at once"},
-                 {"late", "stored at the end, not before they are used"},
-                 {"double", "never stored, unlike in the listings"}}},
+               {{"double", "inside expressions"}, {"float", "variables"}}},
     [SUM] = {"sum", "q3", 0,
-             {{"in-turn", "theta - q1 - q2"}, {"stored", "theta - q12, with q12 = q1 + q2 stored"}}},
-    [TURNS] = {"turns", "q3 beyond a turn", 0, {{"kept", "left"}, {"wrapped", "brought between -pi and pi"}}},
+             {{"in-turn", "theta - q1 - q2"}, {"stored", "theta - q12, with q12 = q1 + q2 in a variable"}}},
+    [TURNS] = {"turns", "q3 beyond -pi or pi", 0, {{"kept", "left"}, {"wrapped", "brought between -pi and pi"}}},
     [CONSTANTS] = {"constants", "the lengths of the arm", 0,
-                   {{"double", "macros"}, {"float", "variables"}}},
+                   {{"double", "macros"}, {"float", "elements of arrays, as in the printed routines"}}},
 };
 
 static bool matters(const configuration *how, size_t choice)
 {
     const int elbow = how->option[ELBOW];
     switch (choice) {
-    case PI:
-        return elbow == ELBOW_PI_ACOS || elbow == ELBOW_PI_ATAN2 || how->option[TURNS] == TURNS_WRAPPED;
     case ROOT:
-        return elbow == ELBOW_PI_ATAN2 || elbow == ELBOW_ATAN2 || elbow == ELBOW_SOLVE;
+        return elbow == ELBOW_PI_ATAN2 || elbow == ELBOW_ATAN2;
     case SHOULDER:
         return elbow != ELBOW_SOLVE;
     case SINES:
@@ -63,11 +56,6 @@ static bool matters(const configuration *how, size_t choice)
     default:
         return true;
     }
-}
-
-static double pi_of(const configuration *how)
-{
-    return pi_of_digits(how->option[PI] == PI_SHORT);
 }
 
 static double cosine(const configuration *how, double value)
@@ -85,22 +73,17 @@ static double sine(const configuration *how, double value)
     return keep(how->option[SINES] == SINES_FLOAT, value);
 }
 
-static double joint(const configuration *how, double value)
-{
-    return keep(how->option[JOINTS] == JOINTS_FLOAT, value);
-}
-
 static double elbow_of(const configuration *how, double x, double y)
 {
     const double c = cosine(how, (INNER_LINK * INNER_LINK + OUTER_LINK * OUTER_LINK - x * x - y * y) /
                                      (2 * INNER_LINK * OUTER_LINK));
     switch (how->option[ELBOW]) {
     case ELBOW_PI_ACOS:
-        return pi_of(how) - acos(c);
+        return HEADER_PI - acos(c);
     case ELBOW_ACOS:
         return acos(-c);
     case ELBOW_PI_ATAN2:
-        return pi_of(how) - atan2(root(how, 1 - c * c), c);
+        return HEADER_PI - atan2(root(how, 1 - c * c), c);
     default:
         return atan2(root(how, 1 - c * c), -c);
     }
@@ -127,20 +110,18 @@ static void solve_q1_first(const configuration *how, double x, double y, double 
     const double square = x * x + y * y;
     const double d =
         cosine(how, (square + INNER_LINK * INNER_LINK - OUTER_LINK * OUTER_LINK) / (2 * INNER_LINK));
-    const double s = root(how, square - d * d);
-    const double first = joint(how, atan2(x, -y) - atan2(d, s));
-    const double second = joint(how, atan2(x, -y) - atan2(d, -s));
-    q[0] = fabs(second) < fabs(first) ? second : first;
+    q[0] = (double)NAN; /* out of reach */
+    armtol_solve(x, y, d, 0, &armtol_errata_1987, &q[0]);
     const double elbow_y = INNER_LINK * sine(how, sin(q[0])), elbow_x = INNER_LINK * sine(how, cos(q[0]));
-    q[1] = joint(how, atan2(y - elbow_y, x - elbow_x) - q[0]);
+    q[1] = stored(atan2(y - elbow_y, x - elbow_x) - q[0]);
 }
 
-static double wrapped(double angle, double pi)
+static double wrapped(double angle)
 {
-    if (angle > pi) {
-        return angle - 2 * pi;
+    if (angle > HEADER_PI) {
+        return angle - 2 * HEADER_PI;
     }
-    return angle < -pi ? angle + 2 * pi : angle;
+    return angle < -HEADER_PI ? angle + 2 * HEADER_PI : angle;
 }
 
 static void solve_all(const configuration *how, const double wish[], progress *progress)
@@ -150,16 +131,16 @@ static void solve_all(const configuration *how, const double wish[], progress *p
     if (how->option[ELBOW] == ELBOW_SOLVE) {
         solve_q1_first(how, x, y, q);
     } else {
-        q[1] = joint(how, elbow_of(how, x, y));
-        q[0] = joint(how, shoulder_of(how, x, y, q[1]));
+        q[1] = stored(elbow_of(how, x, y));
+        q[0] = stored(shoulder_of(how, x, y, q[1]));
     }
-    q[2] = how->option[SUM] == SUM_IN_TURN ? theta - q[0] - q[1] : theta - keep(true, q[0] + q[1]);
+    q[2] = how->option[SUM] == SUM_IN_TURN ? theta - q[0] - q[1] : theta - stored(q[0] + q[1]);
     if (how->option[TURNS] == TURNS_WRAPPED) {
-        q[2] = wrapped(q[2], pi_of(how));
+        q[2] = wrapped(q[2]);
     }
     q[3] = z - keep(how->option[CONSTANTS] == CONSTANTS_FLOAT, BASE_HEIGHT);
     for (int i = 0; i < 4; i++) {
-        q[i] = keep(how->option[JOINTS] != JOINTS_DOUBLE, q[i]);
+        q[i] = stored(q[i]);
     }
 }
 
@@ -170,7 +151,6 @@ const family family_adept = {
     .robot = &armtol_adept_one,
     .choices = choices,
     .n_choices = CHOICES,
-    .pi = PI,
     .steps = steps,
     .n_steps = sizeof steps / sizeof steps[0],
     .matters = matters,

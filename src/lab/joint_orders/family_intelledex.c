@@ -13,7 +13,6 @@ const family family_intelledex = {
     .robot = &armtol_intelledex_605t,
     .choices = intelledex_choices,
     .n_choices = CHOICES,
-    .pi = PI,
     .steps = steps,
     .n_steps = sizeof steps / sizeof steps[0],
     .matters = intelledex_matters,

@@ -5,16 +5,17 @@
 #include "lab/joint_orders/intelledex_matrices.h"
 #include "lab/joint_orders/intelledex_storage.h"
 
-/* solve, with the sign of its root. */
-static double solve(const configuration *how, double px, double py, double d, double sign)
+/* One of the two angles of solve, by the sign of its root. Its storage is printed. */
+static double solve(double px, double py, double d, double sign)
 {
-    const double s = root(how, py * py + px * px - d * d);
-    return joint(how, atan2(px, -py) - atan2(d, sign * s));
+    const double sq = stored(sqrt(py * py + px * px - d * d));
+    return stored(atan2(px, -py) - atan2(d, sign * sq));
 }
 
-static double nearest(double first, double second)
+/* The angle that solve takes for a tclose of 0. */
+static double nearest(double theta1, double theta2)
 {
-    return fabs(second) < fabs(first) ? second : first;
+    return stored(theta1 * theta1) <= stored(theta2 * theta2) ? theta1 : theta2;
 }
 
 /* ---- the joint of the plane that comes first: two answers, one for each sign ---- */
@@ -24,7 +25,7 @@ static double q5_of(const configuration *how, double x, double y, double sign)
 {
     const double upper = constant(how, INTELLEDEX_UPPER_ARM), fore = constant(how, INTELLEDEX_FOREARM);
     const double d = cosine_or_d(how, (upper * upper - fore * fore - x * x - y * y) / (2 * fore));
-    return solve(how, x, -y, d, sign);
+    return solve(x, -y, d, sign);
 }
 
 static double q5_of_wrist(const configuration *how, const progress *p, double sign)
@@ -40,7 +41,7 @@ static double q3_of_wrist(const configuration *how, const progress *p, double si
     const double upper = constant(how, INTELLEDEX_UPPER_ARM), fore = constant(how, INTELLEDEX_FOREARM);
     const double square = p->px * p->px + p->py * p->py;
     const double d = cosine_or_d(how, (square + upper * upper - fore * fore) / (2 * upper));
-    return solve(how, p->px, p->py, d, sign);
+    return solve(p->px, p->py, d, sign);
 }
 
 static double q4_of_wrist(const configuration *how, const progress *p, double sign)
@@ -50,11 +51,11 @@ static double q4_of_wrist(const configuration *how, const progress *p, double si
     const double c = cosine_or_d(how, (square - upper * upper - fore * fore) / (2 * upper * fore));
     switch (how->option[ELBOW]) {
     case ELBOW_Q4_ATAN2:
-        return joint(how, atan2(sign * root(how, 1 - c * c), c));
+        return stored(atan2(sign * root(how, 1 - c * c), c));
     case ELBOW_Q4_ACOS:
-        return joint(how, sign * acos(c));
+        return stored(sign * acos(c));
     default:
-        return joint(how, sign * (pi_of(how) - acos(-c)));
+        return stored(sign * (HEADER_PI - acos(-c)));
     }
 }
 
@@ -81,7 +82,7 @@ static planar_arm arm_of_q5(const configuration *how, const progress *p, double 
     const double fore = constant(how, INTELLEDEX_FOREARM);
     const double q34 = angle(how, p->q345 - q5);
     const double y = p->py - fore * sine(how, sin(q34)), x = p->px - fore * sine(how, cos(q34));
-    const double q3 = joint(how, atan2(y, x));
+    const double q3 = stored(atan2(y, x));
     return (planar_arm){q3, how->option[LAST] == LAST_SUM ? p->q345 - q3 - q5 : q34 - q3, q5};
 }
 
@@ -90,7 +91,7 @@ static planar_arm arm_of_q3(const configuration *how, const progress *p, double 
     const double upper = constant(how, INTELLEDEX_UPPER_ARM);
     const double y = p->py - upper * sine(how, sin(q3)), x = p->px - upper * sine(how, cos(q3));
     const double q34 = angle(how, atan2(y, x));
-    const double q4 = joint(how, q34 - q3);
+    const double q4 = stored(q34 - q3);
     return (planar_arm){q3, q4, how->option[LAST] == LAST_SUM ? p->q345 - q3 - q4 : p->q345 - q34};
 }
 
@@ -98,7 +99,7 @@ static planar_arm arm_of_q4(const configuration *how, const progress *p, double 
 {
     const double upper = constant(how, INTELLEDEX_UPPER_ARM), fore = constant(how, INTELLEDEX_FOREARM);
     const double across = fore * sine(how, sin(q4)), along = upper + fore * sine(how, cos(q4));
-    const double q3 = joint(how, atan2(p->py, p->px) - atan2(across, along));
+    const double q3 = stored(atan2(p->py, p->px) - atan2(across, along));
     return (planar_arm){q3, q4, p->q345 - q3 - q4};
 }
 
@@ -131,17 +132,17 @@ static armtol_transform without_link(const configuration *how, const armtol_tran
                                      double theta)
 {
     const armtol_transform link = matrix_of_link(how, a, 0, 0, theta);
-    return matrix_without(how, t, &link);
+    return matrix_without(t, &link);
 }
 
 static void follow_chain(const configuration *how, progress *progress)
 {
     double *q = progress->q;
-    const armtol_transform *t05 = &progress->t05, t50 = matrix_inverse(how, t05);
+    const armtol_transform *t05 = &progress->t05, t50 = matrix_inverse(t05);
     q[4] = nearest(q5_of(how, t50.m[0][3], t50.m[1][3], 1), q5_of(how, t50.m[0][3], t50.m[1][3], -1));
     const armtol_transform t04 = without_link(how, t05, constant(how, INTELLEDEX_FOREARM), q[4]);
-    const armtol_transform t40 = matrix_inverse(how, &t04);
-    q[3] = joint(how, atan2(t40.m[1][3], -t40.m[0][3]));
+    const armtol_transform t40 = matrix_inverse(&t04);
+    q[3] = stored(atan2(t40.m[1][3], -t40.m[0][3]));
     const armtol_transform t03 = without_link(how, &t04, constant(how, INTELLEDEX_UPPER_ARM), q[3]);
     intelledex_aim(how, t03.m[0][2], t03.m[1][2], t03.m[2][2], q);
     if (how->option[LAST] == LAST_SUM) {
@@ -163,6 +164,6 @@ void intelledex_find_q3_q4_q5(const configuration *how, const double wish[], pro
         progress->q[4] = arm.q5;
     }
     for (int i = 0; i < MOST_JOINTS; i++) {
-        progress->q[i] = keep(how->option[JOINTS] != JOINTS_DOUBLE, progress->q[i]);
+        progress->q[i] = stored(progress->q[i]);
     }
 }

@@ -6,17 +6,7 @@
 
 #include <math.h>
 
-/* Values of one kind, each as the configuration keeps them. */
-
-static inline double element(const configuration *how, double value)
-{
-    return keep(how->option[MATRICES] == STORED, value);
-}
-
-static inline double joint(const configuration *how, double value)
-{
-    return keep(how->option[JOINTS] == JOINTS_FLOAT, value);
-}
+/* Values of one kind in the steps that are not printed, each as the configuration keeps them. */
 
 static inline double sine(const configuration *how, double value)
 {
@@ -46,11 +36,6 @@ static inline double root(const configuration *how, double square)
 static inline double constant(const configuration *how, double value)
 {
     return keep(how->option[CONSTANTS] == CONSTANTS_FLOAT, value);
-}
-
-static inline double pi_of(const configuration *how)
-{
-    return pi_of_digits(how->option[PI] == PI_SHORT);
 }
 
 #endif

@@ -2,47 +2,23 @@
 
 #include "lab/joint_orders/intelledex_steps.h"
 
+#include "armtol/euler.h"
 #include "lab/joint_orders/intelledex_matrices.h"
 #include "lab/joint_orders/intelledex_storage.h"
 
 #define BASE_HEIGHT 359.7
 #define TOOL_LENGTH 100.0
 
-/* ---- T06 ---- */
-
-typedef struct euler_sines {
-    double cg, sg, cb, sb, ca, sa;
-} euler_sines;
-
-static euler_sines sines_of(const configuration *how, const double wish[])
-{
-    return (euler_sines){sine(how, cos(wish[3])), sine(how, sin(wish[3])), sine(how, cos(wish[4])),
-                         sine(how, sin(wish[4])), sine(how, cos(wish[5])), sine(how, sin(wish[5]))};
-}
-
-static armtol_transform tool_of(const configuration *how, const double wish[])
-{
-    const euler_sines e = sines_of(how, wish);
-    const armtol_transform tool = {{
-        {e.ca * e.cb, e.ca * e.sb * e.sg - e.sa * e.cg, e.ca * e.sb * e.cg + e.sa * e.sg, wish[0]},
-        {e.sa * e.cb, e.sa * e.sb * e.sg + e.ca * e.cg, e.sa * e.sb * e.cg - e.ca * e.sg, wish[1]},
-        {-e.sb, e.cb * e.sg, e.cb * e.cg, wish[2]},
-        {0, 0, 0, 1},
-    }};
-    return matrix_kept(how, tool);
-}
-
 void intelledex_find_t06(const configuration *how, const double wish[], progress *progress)
 {
     const double height = constant(how, BASE_HEIGHT);
-    progress->t06 = tool_of(how, wish);
+    progress->t06 = armtol_pose_to_transform(wish, &armtol_errata_1987);
     if (how->option[BASE] == BASE_SUBTRACTED) {
-        progress->t06.m[2][3] = element(how, wish[2] - height);
+        progress->t06.m[2][3] = stored(wish[2] - height);
         return;
     }
-    const armtol_transform base = matrix_of_link(how, 0, 0, height, 0);
-    const armtol_transform back = matrix_inverse(how, &base);
-    progress->t06 = matrix_product(how, &back, &progress->t06);
+    const armtol_transform base = matrix_of_link(how, 0, 0, height, 0), back = matrix_inverse(&base);
+    progress->t06 = matrix_product(&back, &progress->t06);
 }
 
 /* ---- joints 6, 1 and 2, and T05 ---- */
@@ -53,12 +29,12 @@ static armtol_transform t05_written_out(const configuration *how, const armtol_t
     armtol_transform t05 = *t06;
     for (int i = 0; i < 3; i++) {
         const double *row = t06->m[i];
-        t05.m[i][0] = c6 * row[0] - s6 * row[1];
+        t05.m[i][0] = stored(c6 * row[0] - s6 * row[1]);
         t05.m[i][1] = -row[2];
-        t05.m[i][2] = s6 * row[0] + c6 * row[1];
-        t05.m[i][3] = row[3] - tool * row[2];
+        t05.m[i][2] = stored(s6 * row[0] + c6 * row[1]);
+        t05.m[i][3] = stored(row[3] - tool * row[2]);
     }
-    return matrix_kept(how, t05);
+    return t05;
 }
 
 static armtol_transform t05_of(const configuration *how, const armtol_transform *t06, double q6)
@@ -67,19 +43,19 @@ static armtol_transform t05_of(const configuration *how, const armtol_transform 
         return t05_written_out(how, t06, q6);
     }
     const armtol_transform link6 = matrix_of_link(how, 0, 1, constant(how, TOOL_LENGTH), q6);
-    return matrix_without(how, t06, &link6);
+    return matrix_without(t06, &link6);
 }
 
 void intelledex_aim(const configuration *how, double x, double y, double z, double q[])
 {
-    q[0] = joint(how, atan2(y, x));
-    q[1] = joint(how, atan2(sine(how, cos(q[0])) * x + sine(how, sin(q[0])) * y, z));
+    q[0] = stored(atan2(y, x));
+    q[1] = stored(atan2(sine(how, cos(q[0])) * x + sine(how, sin(q[0])) * y, z));
 }
 
 static void find_q6_first(const configuration *how, progress *progress)
 {
-    const armtol_transform t60 = matrix_inverse(how, &progress->t06);
-    progress->q[5] = joint(how, atan2(t60.m[1][3], -t60.m[0][3]));
+    const armtol_transform t60 = matrix_inverse(&progress->t06);
+    progress->q[5] = stored(atan2(t60.m[1][3], -t60.m[0][3]));
     progress->t05 = t05_of(how, &progress->t06, progress->q[5]);
     intelledex_aim(how, progress->t05.m[0][2], progress->t05.m[1][2], progress->t05.m[2][2], progress->q);
 }
@@ -91,13 +67,12 @@ static void find_q1_first(const configuration *how, progress *progress)
     double(*t)[4] = progress->t06.m;
     for (int i = 0; i < 3; i++) {
         const int j = (i + 1) % 3, k = (i + 2) % 3;
-        normal[i] = element(how, t[j][2] * t[k][3] - t[k][2] * t[j][3]);
+        normal[i] = stored(t[j][2] * t[k][3] - t[k][2] * t[j][3]);
     }
     intelledex_aim(how, normal[0], normal[1], normal[2], q);
     const double c2 = sine(how, cos(q[1])), s2 = sine(how, sin(q[1]));
     const double x = sine(how, cos(q[0])) * s2, y = sine(how, sin(q[0])) * s2;
-    q[5] = joint(how, atan2(x * t[0][0] + y * t[1][0] + c2 * t[2][0],
-                            x * t[0][1] + y * t[1][1] + c2 * t[2][1]));
+    q[5] = stored(atan2(x * t[0][0] + y * t[1][0] + c2 * t[2][0], x * t[0][1] + y * t[1][1] + c2 * t[2][1]));
     progress->t05 = t05_of(how, &progress->t06, q[5]);
 }
 
@@ -134,17 +109,18 @@ static planar column_in_plane(const configuration *how, const double q[], const 
     }
     const armtol_transform link1 = matrix_of_link(how, 0, 0, 0, q[0]);
     const armtol_transform link2 = matrix_of_link(how, 0, -1, 0, q[1]);
-    const armtol_transform back1 = matrix_inverse(how, &link1), back2 = matrix_inverse(how, &link2);
-    const armtol_transform in_frame1 = matrix_product(how, &back1, t);
-    const armtol_transform in_frame2 = matrix_product(how, &back2, &in_frame1);
+    const armtol_transform back1 = matrix_inverse(&link1), back2 = matrix_inverse(&link2);
+    const armtol_transform in_frame1 = matrix_product(&back1, t);
+    const armtol_transform in_frame2 = matrix_product(&back2, &in_frame1);
     return (planar){in_frame2.m[0][column], in_frame2.m[2][column]};
 }
 
 static planar tool_axis_of_euler(const configuration *how, const double wish[], const double q[])
 {
-    const euler_sines e = sines_of(how, wish);
-    const double x = e.ca * e.sb * e.cg + e.sa * e.sg, y = e.sa * e.sb * e.cg - e.ca * e.sg;
-    return written_out(how, q, x, y, e.cb * e.cg);
+    const double cg = sine(how, cos(wish[3])), sg = sine(how, sin(wish[3]));
+    const double cb = sine(how, cos(wish[4])), sb = sine(how, sin(wish[4]));
+    const double ca = sine(how, cos(wish[5])), sa = sine(how, sin(wish[5]));
+    return written_out(how, q, ca * sb * cg + sa * sg, sa * sb * cg - ca * sg, cb * cg);
 }
 
 /* The tool's axis is a quarter turn behind the x axis of frame 5. */
@@ -173,8 +149,9 @@ static planar wrist_of(const configuration *how, const progress *progress)
                         end.across + tool * sine(how, cos(progress->q345))};
     }
     armtol_transform wrist = how->option[WRIST] == WRIST_T05 ? progress->t05 : progress->t06;
-    for (int i = 0; i < 3 && how->option[WRIST] == WRIST_AXIS; i++) {
-        wrist.m[i][3] = element(how, wrist.m[i][3] - tool * wrist.m[i][2]);
+    for (int i = 0; i < 3 && how->option[WRIST] != WRIST_T05; i++) {
+        const double behind = keep(how->option[WRIST] == WRIST_MPYN1, -tool * wrist.m[i][2]);
+        wrist.m[i][3] = stored(behind + wrist.m[i][3]);
     }
     return column_in_plane(how, progress->q, &wrist, 3);
 }

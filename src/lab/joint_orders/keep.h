@@ -5,15 +5,18 @@
 
 #include <stdbool.h>
 
-/* The value as a float keeps it, or as it is. */
-static inline double keep(bool in_float, double value)
+#define HEADER_PI 3.14159 /* the macro of both robots' headers */
+
+/* The value as a float keeps it: every variable and array of the listing is one. */
+static inline double stored(double value)
 {
-    return in_float ? armtol_stored(&armtol_errata_1987, value) : value;
+    return armtol_stored(&armtol_errata_1987, value);
 }
 
-static inline double pi_of_digits(bool few)
+/* The value in a variable, or as part of a longer expression, in double. */
+static inline double keep(bool in_variable, double value)
 {
-    return few ? 3.14159 : 3.14159265358979323846;
+    return in_variable ? stored(value) : value;
 }
 
 #endif

@@ -9,9 +9,11 @@
 void orders_options_help(void)
 {
     printf("Usage: joint-orders [OPTION]... PUBLISHED\n"
-           "The inverse kinematics of 1987 is not printed. Runs a family of ways in which it may\n"
-           "have been written on the cases of PUBLISHED, the table of the paper's numbers; prints\n"
-           "how many of the joint values each gives, and what that decides and leaves open.\n"
+           "The listing of 1987 prints every routine but invintell and invadept, the inverse\n"
+           "kinematics. Runs a family of ways in which these two may have been written, on the\n"
+           "cases of PUBLISHED, the table of the paper's numbers. What the listing prints is the\n"
+           "same in all of them. Prints how many of the joint values each gives, and what that\n"
+           "decides and leaves open.\n"
            "\n"
            "  -s, --show PART[,PART]  family     the choices and their options\n"
            "                          histogram  configurations by how many values are right\n"

@@ -103,10 +103,8 @@ static bool note(survey *survey, const walk *walk)
 {
     const unsigned long misses = misses_of(survey->evidence, walk);
     const size_t wrong = count_bits(misses), score = evidence_count(survey->evidence) - wrong;
-    const size_t pi = survey->family->pi;
-    const size_t class = survey->family->matters(&walk->at, pi) ? walk->at.option[pi] : PI_ANY;
     survey->configurations++;
-    survey->by_score[class][score]++;
+    survey->by_score[score]++;
     tally(survey, &walk->at, score);
     if (wrong == 0) {
         return note_all(survey, &walk->at);
@@ -152,31 +150,14 @@ void survey_free(survey *survey)
     survey->misses = NULL;
 }
 
-uint64_t survey_by_score(const survey *survey, size_t score)
-{
-    uint64_t n = 0;
-    for (size_t class = 0; class < PI_CLASSES; class++) {
-        n += survey->by_score[class][score];
-    }
-    return n;
-}
-
-static bool same_pi(size_t one, size_t other)
-{
-    return one == other || one == PI_ANY || other == PI_ANY;
-}
-
 void survey_pairs(const survey *one, const survey *other, uint64_t by_score[2 * MOST_VALUES + 1])
 {
     for (size_t score = 0; score <= 2 * MOST_VALUES; score++) {
         by_score[score] = 0;
     }
-    for (size_t c = 0; c < PI_CLASSES * PI_CLASSES; c++) {
-        const size_t class1 = c / PI_CLASSES, class2 = c % PI_CLASSES;
-        for (size_t s1 = 0; s1 <= MOST_VALUES && same_pi(class1, class2); s1++) {
-            for (size_t s2 = 0; s2 <= MOST_VALUES; s2++) {
-                by_score[s1 + s2] += one->by_score[class1][s1] * other->by_score[class2][s2];
-            }
+    for (size_t i = 0; i <= MOST_VALUES; i++) {
+        for (size_t j = 0; j <= MOST_VALUES; j++) {
+            by_score[i + j] += one->by_score[i] * other->by_score[j];
         }
     }
 }

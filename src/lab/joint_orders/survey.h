@@ -8,9 +8,6 @@
 
 /* The configurations of a family, held against the evidence. */
 
-/* Configurations by what they make of pi; those to which it does not matter go with both. */
-enum { PI_CLASSES = MOST_OPTIONS + 1, PI_ANY = MOST_OPTIONS };
-
 /* Of the configurations to which a choice matters, those with one option. */
 typedef struct option_tally {
     uint64_t configurations;
@@ -31,7 +28,7 @@ typedef struct survey {
     const family *family;
     const evidence *evidence;
     uint64_t configurations;
-    uint64_t by_score[PI_CLASSES][MOST_VALUES + 1];
+    uint64_t by_score[MOST_VALUES + 1]; /* how many give so many values */
     option_tally tallies[MOST_CHOICES][MOST_OPTIONS];
     configuration *all; /* that give all values, from the default on */
     size_t n_all;
@@ -46,13 +43,7 @@ survey survey_start(const family *family, const evidence *evidence);
 bool survey_run(survey *survey, const restriction *given);
 void survey_free(survey *survey);
 
-/* How many of the configurations give so many values. */
-uint64_t survey_by_score(const survey *survey, size_t score);
-
-/*
- * How many pairs of one configuration of each family give so many values together, pi being the same in both:
- * by_score has a place for every score.
- */
+/* How many pairs of one configuration of each family give so many values together: by_score has a place for every score. */
 void survey_pairs(const survey *one, const survey *other, uint64_t by_score[2 * MOST_VALUES + 1]);
 
 /* The values that a configuration misses, a bit each. */

@@ -38,7 +38,7 @@ static bool histogram_rows(const survey surveys[FAMILIES], table *table)
         if (fine) {
             table_set(row, 0, "%zu", score);
             for (size_t i = 0; i < FAMILIES && score <= most[i]; i++) {
-                table_set(row, i + 1, "%" PRIu64, survey_by_score(&surveys[i], score));
+                table_set(row, i + 1, "%" PRIu64, surveys[i].by_score[score]);
             }
             table_set(row, 3, "%" PRIu64, pairs[score]);
             total += pairs[score];
@@ -60,7 +60,7 @@ static bool print_histogram(const survey surveys[FAMILIES], table_format format)
     const bool fine = histogram_rows(surveys, &table);
     if (fine) {
         print_title(format, "", "Configurations by how many joint values are right",
-                    "To the last digit. A pair: a configuration of each program, with the same pi in both.");
+                    "To the last digit. A pair: a configuration of each program.");
         table_print(&table, format, stdout);
     }
     table_free(&table);
@@ -146,17 +146,27 @@ static double step_of_floats(double value)
     return (double)nextafterf(here, INFINITY) - (double)here;
 }
 
+/* The joint value as the library has it when nothing is stored in a float; nan where there is none. */
+static double unrounded(const survey *survey, size_t value)
+{
+    const evidence *evidence = survey->evidence;
+    armtol_errata errata = armtol_errata_1987;
+    armtol_reach reach;
+    double q[MOST_JOINTS];
+    errata.float_storage = false;
+    const double *wish = evidence->wishes[value / evidence->n_joints];
+    const bool found = survey->family->robot->inverse(wish, &errata, q, &reach) == ARMTOL_OK;
+    return found ? q[value % evidence->n_joints] : (double)NAN;
+}
+
 static bool margin_rows(const survey *survey, table *table)
 {
     static const char *const head[] = {"joint value", "published", "nothing stored",
                                        "to the next digit, 1e-9", "step of floats, 1e-9"};
     const evidence *evidence = survey->evidence;
-    const configuration unrounded = family_unrounded(survey->family);
     bool fine = table_add_head(table, head);
     for (size_t i = 0; i < evidence_count(evidence) && fine; i++) {
-        double q[MOST_JOINTS];
-        family_solve(survey->family, &unrounded, evidence->wishes[i / evidence->n_joints], q);
-        const double value = q[i % evidence->n_joints];
+        const double value = unrounded(survey, i);
         table_row *row = table_add(table, label_of_value(evidence->numbers[i], &(label){""}));
         fine = row != NULL;
         if (fine) {
@@ -265,7 +275,7 @@ static bool print_for(orders_part part, const survey *survey, table_format forma
                            choice_rows);
     case PART_MARGINS:
         return print_table(survey, format, 5, "how far each joint value is from another last digit",
-                           "Worked out in doubles, pi 3.14159.", margin_rows);
+                           "Worked out by the library in doubles, pi 3.14159.", margin_rows);
     case PART_OPEN:
         return print_open(survey, format);
     case PART_MISSES:
