@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIELDS = 6 };
+enum { FIELDS = 6, ALL_CASES = -1 };
 
 static bool role_of(const char *text, published_role *role)
 {
-    static const char *const names[ROLE_COUNT] = {"wish", "tolerance", "delta", "result"};
+    static const char *const names[ROLE_COUNT] = {"position", "tolerance", "delta", "result"};
     for (int i = 0; i < ROLE_COUNT; i++) {
         if (strcmp(text, names[i]) == 0) {
             *role = (published_role)i;
@@ -54,26 +54,36 @@ static int whole_number(const char *text)
     return length <= 3 && strspn(text, "0123456789") == length ? atoi(text) : 0;
 }
 
+/* Printed once, for all cases of all programs. */
+static bool is_common(const published_number *number)
+{
+    return number->case_number == ALL_CASES;
+}
+
 static bool parse(char *line, published_number *number)
 {
     char *fields[FIELDS + 1];
     if (split(line, fields) != FIELDS) {
         return false;
     }
-    number->case_number = whole_number(fields[1]);
+    number->case_number = strcmp(fields[1], "*") == 0 ? ALL_CASES : whole_number(fields[1]);
     number->without_sign = strcmp(fields[5], "unsigned") == 0;
-    return copy(number->program, sizeof number->program, fields[0]) && number->case_number > 0 &&
+    return copy(number->program, sizeof number->program, fields[0]) && number->case_number != 0 &&
+           (strcmp(fields[0], "*") == 0) == is_common(number) &&
            role_of(fields[2], &number->role) && copy(number->quantity, sizeof number->quantity, fields[3]) &&
            copy(number->value, sizeof number->value, fields[4]);
 }
 
+/* The list is doubled when full, which it is at 0 and at each power of 2. */
 static bool append(published_list *list, const published_number *number)
 {
-    published_number *grown = realloc(list->numbers, (list->count + 1) * sizeof *grown);
-    if (grown == NULL) {
-        return false;
+    if ((list->count & (list->count - 1)) == 0) {
+        published_number *grown = realloc(list->numbers, (list->count == 0 ? 1 : 2 * list->count) * sizeof *grown);
+        if (grown == NULL) {
+            return false;
+        }
+        list->numbers = grown;
     }
-    list->numbers = grown;
     list->numbers[list->count++] = *number;
     return true;
 }
@@ -88,7 +98,7 @@ static bool read_all(FILE *stream, const char *path, published_list *list)
         }
         if (!parse(line, &number)) {
             message("%s:%d: expected program, case, role, quantity, value and remark, "
-                            "a tab between each", path, at);
+                    "a tab between each", path, at);
             return false;
         }
         if (!append(list, &number)) {
@@ -97,6 +107,41 @@ static bool read_all(FILE *stream, const char *path, published_list *list)
         }
     }
     return true;
+}
+
+/* The numbers that are common to all cases, behind those of a case. */
+static bool append_common(const published_list *all, const published_number *of_case, published_list *list)
+{
+    bool fine = true;
+    for (size_t i = 0; i < all->count && fine; i++) {
+        published_number number = all->numbers[i];
+        if (is_common(&number)) {
+            memcpy(number.program, of_case->program, sizeof number.program);
+            number.case_number = of_case->case_number;
+            fine = append(list, &number);
+        }
+    }
+    return fine;
+}
+
+/* Put the common numbers into each case in place of where they stand. */
+static bool spread_common(published_list *list)
+{
+    published_list spread = {NULL, 0};
+    bool fine = true;
+    for (size_t i = 0; i < list->count && fine; i++) {
+        const published_number *number = &list->numbers[i];
+        if (!is_common(number)) {
+            const bool last = i + 1 == list->count || published_begins_case(list, i + 1);
+            fine = append(&spread, number) && (!last || append_common(list, number, &spread));
+        }
+    }
+    published_free(list);
+    *list = spread;
+    if (!fine) {
+        out_of_memory();
+    }
+    return fine;
 }
 
 bool published_read(const char *path, published_list *list)
@@ -114,11 +159,13 @@ bool published_read(const char *path, published_list *list)
         exit_code_note_error(errno);
         message("%s: cannot be read", path);
         fine = false;
-    } else if (fine && list->count == 0) {
+    }
+    fclose(stream);
+    fine = fine && spread_common(list);
+    if (fine && list->count == 0) {
         message("%s: holds no numbers", path);
         fine = false;
     }
-    fclose(stream);
     return fine;
 }
 

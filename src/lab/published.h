@@ -6,7 +6,7 @@
 
 /* golden/published.tsv: the numbers that the paper prints. Its head says what the columns mean. */
 
-typedef enum published_role { ROLE_WISH, ROLE_TOLERANCE, ROLE_DELTA, ROLE_RESULT, ROLE_COUNT } published_role;
+typedef enum published_role { ROLE_POSITION, ROLE_TOLERANCE, ROLE_DELTA, ROLE_RESULT, ROLE_COUNT } published_role;
 
 typedef struct published_number {
     char program[16];
@@ -22,7 +22,10 @@ typedef struct published_list {
     size_t count;
 } published_list;
 
-/* False, after a message that says file and line. The caller frees the list either way. */
+/*
+ * The numbers, case by case; those that the paper prints once for all cases are listed in each. False, after a message
+ * that says file and line. The caller frees the list either way.
+ */
 bool published_read(const char *path, published_list *list);
 void published_free(published_list *list);
 

@@ -26,7 +26,7 @@ static armtol_status run_steps(const published_list *list, size_t first, analysi
 {
     double wish[6], tolerances[6], delta;
     const armtol_errata *errata = &analysis->errata;
-    if (given(list, first, ROLE_WISH, errata, wish, 6) != analysis->robot->n_wish ||
+    if (given(list, first, ROLE_POSITION, errata, wish, 6) != analysis->robot->n_wish ||
         given(list, first, ROLE_TOLERANCE, errata, tolerances, 6) != 6 ||
         given(list, first, ROLE_DELTA, errata, &delta, 1) != 1) {
         return ARMTOL_WRONG_SIZE;

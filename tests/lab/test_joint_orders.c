@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WISHES = 1000, FEW_WISHES = 200 };
+enum { WISHES = 1000, FEW_WISHES = 50 };
 
 static published_list list;
 static double wishes[WISHES][MOST_WISH];

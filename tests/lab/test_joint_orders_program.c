@@ -102,7 +102,7 @@ static void test_more_cases_than_there_is_room_for(void)
     for (int number = 1; number <= 5; number++) {
         for (int i = 0; i < 6; i++) {
             static const char *const names[] = {"x", "y", "z", "gamma", "beta", "alpha"};
-            const string line = string_of("intella\t%d\twish\t%s\t%s\t-\n", number, names[i], i < 2 ? "200" : "0");
+            const string line = string_of("intella\t%d\tposition\t%s\t%s\t-\n", number, names[i], i < 2 ? "200" : "0");
             strcat(table.bytes, line.text);
         }
         for (int i = 1; i <= 6; i++) {

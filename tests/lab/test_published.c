@@ -46,6 +46,23 @@ static void test_every_published_number(void)
     TEST_ASSERT_EQUAL_INT(66, results);
 }
 
+/* The report prints what is common to all cases once; each case has it. */
+static void test_each_case_has_its_tolerances(void)
+{
+    size_t cases = 0, tolerances = 0, deltas = 0;
+    for (size_t i = 0; i < published.count; i++) {
+        cases += published_begins_case(&published, i);
+        tolerances += published.numbers[i].role == ROLE_TOLERANCE;
+        deltas += published.numbers[i].role == ROLE_DELTA;
+        if (published.numbers[i].role == ROLE_DELTA) {
+            TEST_ASSERT_EQUAL_INT(cases, deltas);
+            TEST_ASSERT_EQUAL_INT(6 * cases, tolerances);
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(4, cases);
+    TEST_ASSERT_EQUAL_INT(4, deltas);
+}
+
 static comparison compare(const char *quantity, const char *value, bool without_sign, const char *files)
 {
     published_number number = {.without_sign = without_sign};
@@ -70,6 +87,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_every_published_number);
+    RUN_TEST(test_each_case_has_its_tolerances);
     RUN_TEST(test_the_comparison_can_fail);
     return UNITY_END();
 }

@@ -185,9 +185,9 @@ static const altered altered_tables[] = {
     {"adpta\t1\tresult\ttheta[1]\t-0.262798\t-", "adpta\t1\tresult\ttheta[1]\t0.262798\t-", "65 of 66",
      "adpta, case 1, theta[1]: published 0.262798, computed -0.262798"},
     /* fewer and more: the numbers are counted */
-    {"intella\t1\tresult\trd[0]\t0.050177\t-", NULL, "65 of 65", NULL},
-    {"intella\t1\tresult\trd[0]\t0.050177\t-",
-     "intella\t1\tresult\trd[0]\t0.050177\t-\nintella\t1\tresult\tdwx\t0.100000\t-", "67 of 67", NULL},
+    {"intella\t1\tresult\trd[3]\t0.050177\t-", NULL, "65 of 65", NULL},
+    {"intella\t1\tresult\trd[3]\t0.050177\t-",
+     "intella\t1\tresult\trd[3]\t0.050177\t-\nintella\t1\tresult\tdwx\t0.100000\t-", "67 of 67", NULL},
 };
 
 /* With --misses only the miss and the count are printed. */
@@ -230,7 +230,8 @@ static void test_altered_tables(void)
 /* A table without any result reproduces nothing, which is no success. */
 static void test_table_without_results(void)
 {
-    static const char *const tables[] = {"", "# nothing but words\n", "adpta\t1\twish\tx\t200\t-\n"};
+    static const char *const tables[] = {"", "# nothing but words\n", "adpta\t1\tposition\tx\t200\t-\n",
+                                         "*\t*\tdelta\tdelta\t.1\t-\n"};
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
         const string folder = folder_new(), table = string_of("%s/table.tsv", folder.text);
         process process;
@@ -263,17 +264,19 @@ static void test_broken_tables(void)
         int line;
     } rows[] = {
         {"intella\n", 1},
-        {"# head\nintella\t1\twish\tx\t200\n", 2},
+        {"# head\nintella\t1\tposition\tx\t200\n", 2},
         {"# head\n# more\nintella 1 wish x 200 -\n", 3},
-        {"intella\t1\twish\tx\t200\t-\t-\n", 1},
-        {"intella\t1\twished\tx\t200\t-\n", 1},
-        {"intella\t0\twish\tx\t200\t-\n", 1},
-        {"intella\tone\twish\tx\t200\t-\n", 1},
-        {"\t1\twish\tx\t200\t-\n", 1},
-        {"intella\t1\twish\t\t200\t-\n", 1},
-        {"intella\t1\twish\tx\t\t-\n", 1},
-        {"intella\t1\twish\tx\t200\t-\n\n", 2},
-        {"intella\t1\twish\tx\t00000000000000000000000000000000200\t-\n", 1},
+        {"intella\t1\tposition\tx\t200\t-\t-\n", 1},
+        {"intella\t1\twish\tx\t200\t-\n", 1},
+        {"intella\t0\tposition\tx\t200\t-\n", 1},
+        {"intella\tone\tposition\tx\t200\t-\n", 1},
+        {"\t1\tposition\tx\t200\t-\n", 1},
+        {"intella\t1\tposition\t\t200\t-\n", 1},
+        {"intella\t1\tposition\tx\t\t-\n", 1},
+        {"intella\t1\tposition\tx\t200\t-\n\n", 2},
+        {"intella\t*\tdelta\tdelta\t.1\t-\n", 1},
+        {"*\t1\tdelta\tdelta\t.1\t-\n", 1},
+        {"intella\t1\tposition\tx\t00000000000000000000000000000000200\t-\n", 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         check_broken(rows[i].table, rows[i].line);
@@ -282,7 +285,7 @@ static void test_broken_tables(void)
 
 static void test_case_that_is_only_partly_a_number(void)
 {
-    check_broken("intella\t1x\twish\tx\t200\t-\n", 1);
+    check_broken("intella\t1x\tposition\tx\t200\t-\n", 1);
 }
 
 /* ---- what is missing or fails ---- */
@@ -390,17 +393,17 @@ static void check_lines(const text *said, const char *const lines[], size_t coun
     }
 }
 
-/* An unknown program, a case without its accuracy, a wish that is out of reach. */
+/* An unknown program, a case without its accuracy, a position out of reach. */
 static void test_cases_that_cannot_be_computed(void)
 {
     static const struct {
         const char *table, *message;
     } rows[] = {
-        {"puma\t1\twish\tx\t200\t-\n", "reproduce: puma: unknown program\n"},
-        {"adpta\t1\twish\tx\t200\t-\nadpta\t1\twish\ty\t200\t-\nadpta\t1\twish\tz\t0\t-\n"
-         "adpta\t1\twish\ttheta\t0\t-\n", "reproduce: adpta, case 1: "},
-        {"adpta\t2\twish\tx\t2000\t-\nadpta\t2\twish\ty\t200\t-\nadpta\t2\twish\tz\t0\t-\n"
-         "adpta\t2\twish\ttheta\t0\t-\nadpta\t2\ttolerance\tdx\t.5\t-\nadpta\t2\ttolerance\tdy\t.5\t-\n"
+        {"puma\t1\tposition\tx\t200\t-\n", "reproduce: puma: unknown program\n"},
+        {"adpta\t1\tposition\tx\t200\t-\nadpta\t1\tposition\ty\t200\t-\nadpta\t1\tposition\tz\t0\t-\n"
+         "adpta\t1\tposition\ttheta\t0\t-\n", "reproduce: adpta, case 1: "},
+        {"adpta\t2\tposition\tx\t2000\t-\nadpta\t2\tposition\ty\t200\t-\nadpta\t2\tposition\tz\t0\t-\n"
+         "adpta\t2\tposition\ttheta\t0\t-\nadpta\t2\ttolerance\tdx\t.5\t-\nadpta\t2\ttolerance\tdy\t.5\t-\n"
          "adpta\t2\ttolerance\tdz\t.5\t-\nadpta\t2\ttolerance\tdwx\t.1\t-\nadpta\t2\ttolerance\tdwy\t.1\t-\n"
          "adpta\t2\ttolerance\tdwz\t.1\t-\nadpta\t2\tdelta\tdelta\t.1\t-\n", "reproduce: adpta, case 2: "},
     };

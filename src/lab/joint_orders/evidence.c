@@ -28,7 +28,7 @@ static bool read_case(const published_list *list, size_t first, size_t n_wish_wa
             break;
         }
         const int joint = number->role == ROLE_RESULT ? joint_of(number->quantity) : -1;
-        if (number->role == ROLE_WISH && n_wish < MOST_WISH) {
+        if (number->role == ROLE_POSITION && n_wish < MOST_WISH) {
             const double value = strtod(number->value, NULL);
             evidence->wishes[evidence->n_cases][n_wish++] = armtol_stored(&armtol_errata_1987, value);
         } else if (joint >= 0 && (size_t)joint < evidence->n_joints) {
@@ -55,7 +55,7 @@ bool evidence_find(const published_list *list, const family *family, evidence *e
             return false;
         }
         if (!read_case(list, i, family->robot->n_wish, evidence)) {
-            message("%s, case %d: expected %zu numbers of the wish and %zu joint values", family->program,
+            message("%s, case %d: expected %zu numbers of the position and %zu joint values", family->program,
                     list->numbers[i].case_number, family->robot->n_wish, family->robot->n_joints);
             return false;
         }

@@ -43,7 +43,7 @@ survey survey_start(const family *family, const evidence *evidence);
 bool survey_run(survey *survey, const restriction *given);
 void survey_free(survey *survey);
 
-/* How many pairs of one configuration of each family give so many values together: by_score has a place for every score. */
+/* How many pairs, one configuration of each family, give so many values together: by_score has a place for each. */
 void survey_pairs(const survey *one, const survey *other, uint64_t by_score[2 * MOST_VALUES + 1]);
 
 /* The values that a configuration misses, a bit each. */

@@ -141,7 +141,7 @@ static void print_case(const published_list *list, size_t first)
     printf("\n%s, case %d:", list->numbers[first].program, list->numbers[first].case_number);
     for (size_t i = first; i < list->count && published_same_case(&list->numbers[i], &list->numbers[first]);
          i++) {
-        if (list->numbers[i].role == ROLE_WISH) {
+        if (list->numbers[i].role == ROLE_POSITION) {
             printf(" %s = %s", list->numbers[i].quantity, list->numbers[i].value);
         }
     }

@@ -80,7 +80,7 @@ static bool write_input(const char *path, const published_list *list, size_t fir
     if (stream == NULL) {
         return complain(path);
     }
-    for (int role = ROLE_WISH; role < ROLE_RESULT; role++) {
+    for (int role = ROLE_POSITION; role < ROLE_RESULT; role++) {
         const char *separator = "";
         for (size_t i = first; i < list->count; i++) {
             const published_number *number = &list->numbers[i];
