@@ -11,9 +11,9 @@ ARMTOL_INTERFACE_BEGIN
 /* What whoever makes a link, and its joint, has to keep to. nan where there is nothing to keep to. */
 typedef struct armtol_part {
     double distance; /* between the axes of the link, Eq. (4.32) */
-    double angle;    /* the smallest of the link's angles that no motor moves */
+    double angle;    /* the smallest of the link's angles that no motor moves, Eq. (4.33) */
     double motor;    /* the joint's */
-    double drive;    /* how far the drive of the joint is off: backlash and compliance, Eqs (4.33), (4.34) */
+    double drive;    /* how far the drive of the joint is off: backlash and compliance, Eqs (4.20), (4.34) */
 } armtol_part;
 
 /* One component of the tool's error, the largest of all poses. Magnitudes; infinite where nothing bounds them. */

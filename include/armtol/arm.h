@@ -30,7 +30,7 @@ extern const armtol_drive armtol_drive_unknown;
 
 /*
  * How far a drive lets its joint be off: backlash + compliance moment. nan where the backlash is not known.
- * Source: Hahn 1987, Eqs (4.33) and (4.34).
+ * Source: Hahn 1987, Eqs (4.20) and (4.34).
  */
 double armtol_drive_error(const armtol_drive *drive);
 

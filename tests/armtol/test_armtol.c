@@ -125,7 +125,7 @@ static void test_tolerances_read_back_give_the_accuracy_that_they_were_made_for(
     TEST_ASSERT_TRUE(fullest > 1 - 1e-9);
 }
 
-/* Eqs (4.33), (4.34): backlash + compliance x moment, 0.125 + 0.0625 x 2, against the motor's tolerance. */
+/* Eqs (4.20), (4.34): backlash + compliance x moment, 0.125 + 0.0625 x 2, against the motor's tolerance. */
 static void test_a_drive_is_good_enough_up_to_the_motor_s_tolerance(void)
 {
     static const struct {
