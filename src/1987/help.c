@@ -7,8 +7,8 @@
 static void print_help(const program *program)
 {
     printf("Usage: %s [OPTION]...\n"
-           "Tolerances for the links, joints and motors of %s, from a wished position\n"
-           "of its tool and the accuracy wished there, as the program of 1987 computed them.\n"
+           "Tolerances for the links, joints and motors of %s, from a desired position\n"
+           "of its tool and the accuracy required there, as the program of 1987 computed them.\n"
            "Asks on standard error, reads standard input: the position (",
            program->name, program->title);
     for (size_t i = 0; i < program->robot->n_wish; i++) {

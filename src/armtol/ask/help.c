@@ -8,7 +8,7 @@ void cli_help(void)
          "       armtol ARM (--joints Q | --poses FILE) --tolerances FILE [OPTION]...\n"
          "       armtol --list | armtol ARM --show\n"
          "How precisely the parts of an arm have to be made for its tool to be as accurate as\n"
-         "wished; or how accurate it is with given tolerances. ARM is a name of --list, or a\n"
+         "required; or how accurate it is with given tolerances. ARM is a name of --list, or a\n"
          "file: a table of links, or a robot in URDF.\n"
          "\n"
          "      --joints Q              the joint values, separated by commas\n"
