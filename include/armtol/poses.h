@@ -13,7 +13,7 @@ ARMTOL_INTERFACE_BEGIN
 
 /*
  * A with its bounds in many poses of one arm, fast: what no joint moves is prepared once, and poses are done
- * side by side in blocks. One pose alone and a pose in a block give the same bits, on any machine.
+ * side by side in blocks. A pose gives the same bits in any place of a block, on any machine.
  */
 
 /* The poses of a block, and the number of blocks that hold n_poses. */
@@ -54,17 +54,11 @@ armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[
                                  double delta);
 
 /*
- * One pose: q has n_joints values; matrix is that of armtol_tool_matrix, and the bounds are those of
- * armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the bounds it counts for
- * nan.
- */
-void armtol_pose(const armtol_poses *poses, const double q[], double matrix[], armtol_bounds *bounds);
-
-/*
- * Many: joint k of pose p is q[p * n_joints + k]; blocks has ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK
- * * 6 * n_columns places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT; bounds one a pose. The places
- * of the last block that no pose is left for repeat the last pose. It is fastest where blocks is aligned to
- * 64 bytes.
+ * Joint k of pose p is q[p * n_joints + k]; blocks has ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK * 6 * n_columns
+ * places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT: to the bit that of armtol_tool_matrix for the placed links;
+ * bounds one a pose, those of armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the bounds it
+ * counts for nan. The places of the last block that no pose is left for repeat the last pose. It is fastest where blocks is
+ * aligned to 64 bytes.
  */
 void armtol_pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                         armtol_bounds bounds[]);

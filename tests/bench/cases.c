@@ -45,14 +45,6 @@ static void run_textbook_poses(void)
     consume_matrices();
 }
 
-static void run_single_poses(void)
-{
-    for (size_t p = 0; p < POSES; p++) {
-        armtol_pose(&poses, q + p * JOINTS, &matrices[p][0][0], &bounds[p]);
-    }
-    consume_matrices();
-}
-
 static void run_pose_blocks(void)
 {
     armtol_pose_blocks(&poses, q, POSES, blocks, bounds);
@@ -99,7 +91,6 @@ static void run_far_samples(void)
 
 const bench_case pose_cases[] = {
     {"by hand for this arm, scalar, libm's sines", run_textbook_poses, POSES},
-    {"armtol_pose, one pose at a time", run_single_poses, POSES},
     {"armtol_pose_blocks, 256 poses at a time", run_pose_blocks, POSES},
     {"armtol_tool_matrix: nothing prepared, no bounds", run_tool_matrices, POSES},
     {"armtol_error_matrix: by adjoints, no bounds", run_error_matrices, POSES},

@@ -1,8 +1,8 @@
 /* Arms built to tolerances: closed forms, the bounds, the draws, and the program. */
 
+#include "armtol/sampler.h"
 #include "lab/published.h"
 #include "lab/recompute.h"
-#include "lab/uniform_draw.h"
 #include "lab/yield/arm_draws.h"
 #include "lab/yield/case.h"
 #include "lab/yield/column_tolerances.h"
@@ -261,9 +261,9 @@ static void test_the_generator_is_splitmix64(void)
 {
     const double first = (double)(0xe220a8397b1dcdafu >> 11) / 4503599627370496.0 - 1;
     random_source other = {0}; /* seed 0 is mixed to itself */
-    check_same(first, uniform_draw(0, 0), "the first number of seed 0");
+    check_same(first, armtol_sampler_uniform(0, 0), "the first number of seed 0");
     for (uint64_t i = 0; i < 1000; i++) {
-        check_same(random_between(&other, -1, 1), uniform_draw(0, i), "number %d of seed 0", (int)i);
+        check_same(random_between(&other, -1, 1), armtol_sampler_uniform(0, i), "number %d of seed 0", (int)i);
     }
 }
 
@@ -272,11 +272,11 @@ static void test_draws_are_uniform(void)
     enum { DRAWS = 100000 };
     double sum = 0, squares = 0, product = 0;
     for (uint64_t i = 0; i < DRAWS; i++) {
-        const double u = uniform_draw(7, i);
+        const double u = armtol_sampler_uniform(7, i);
         TEST_ASSERT_TRUE(u >= -1 && u < 1);
         sum += u;
         squares += u * u;
-        product += u * uniform_draw(7, i + 1);
+        product += u * armtol_sampler_uniform(7, i + 1);
     }
     /* five standard deviations */
     check_within(5 * sqrt(1.0 / 3 / DRAWS), 0, sum / DRAWS, "mean");

@@ -1,6 +1,6 @@
 #include "support/random.h"
 
-static uint64_t next(random_source *source)
+uint64_t random_bits(random_source *source)
 {
     uint64_t z = source->state += 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -10,5 +10,5 @@ static uint64_t next(random_source *source)
 
 double random_between(random_source *source, double low, double high)
 {
-    return low + (high - low) * (double)(next(source) >> 11) / 9007199254740992.0;
+    return low + (high - low) * (double)(random_bits(source) >> 11) / 9007199254740992.0;
 }

@@ -8,6 +8,8 @@ typedef struct random_source {
     uint64_t state;
 } random_source;
 
+uint64_t random_bits(random_source *source);
+
 /* Uniform in [low, high). */
 double random_between(random_source *source, double low, double high);
 

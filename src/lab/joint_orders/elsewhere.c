@@ -1,8 +1,8 @@
 #include "lab/joint_orders/elsewhere.h"
 
+#include "armtol/sampler.h"
 #include "console/exit_code.h"
 #include "lab/joint_orders/walk.h"
-#include "lab/uniform_draw.h"
 
 #include <math.h>
 #include <stdint.h>
@@ -33,7 +33,7 @@ void elsewhere_draw(const family *family, double wishes[][MOST_WISH], size_t n_w
     ranges_of(family, ranges);
     for (size_t i = 0; i < n_wishes; i++) {
         for (size_t j = 0; j < n_joints; j++) {
-            q[j] = ranges[j] * uniform_draw(SEED, i * n_joints + j);
+            q[j] = ranges[j] * armtol_sampler_uniform(SEED, i * n_joints + j);
         }
         family->robot->forward(q, &armtol_errata_none, wishes[i]);
         for (size_t j = 0; j < family->robot->n_wish; j++) {

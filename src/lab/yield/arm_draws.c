@@ -1,6 +1,6 @@
 #include "lab/yield/arm_draws.h"
 
-#include "lab/uniform_draw.h"
+#include "armtol/sampler.h"
 #include "lab/yield/error_size.h"
 
 #include <stdlib.h>
@@ -16,7 +16,7 @@ void arm_draws_errors(const drawn_arm *arm, const double tolerances[], uint64_t 
                       double errors[])
 {
     for (size_t k = 0; k < arm->n_columns; k++) {
-        errors[k] = tolerances[k] * uniform_draw(seed, (uint64_t)i * arm->n_columns + k);
+        errors[k] = tolerances[k] * armtol_sampler_uniform(seed, (uint64_t)i * arm->n_columns + k);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "armtol/arm.h"
 #include "lib/private_names.h"
+#include "lib/report/pi.h"
 
 #include <math.h>
 
@@ -17,7 +18,6 @@ extern const armtol_arm arm_stanford;
 extern const armtol_arm arm_ur5e;
 
 /* What tables of constants are written with: a constant expression is needed there. */
-#define PI 3.14159265358979323846
 #define QUARTER (PI / 2)
 #define DEGREES(angle) ((angle) * (PI / 180))
 

@@ -3,12 +3,12 @@
 #include "armtol/link_transform.h"
 #include "armtol/transform.h"
 #include "lib/report/finite.h"
+#include "lib/report/pi.h"
 #include "lib/report/trigonometry.h"
 
 #include <math.h>
 #include <stdbool.h>
 
-static const double pi = 3.14159265358979323846;
 static const double sine_of_a_degree = 0.017452406437283512819;
 
 /* Some hundred roundings: an angle, or a share of the arm's size, that is no larger was meant to be 0. */
@@ -51,12 +51,12 @@ armtol_kind armtol_kind_of(armtol_joint joint, double alpha)
 /* In (-pi, pi], and a multiple of a quarter turn where it is one but for rounding. */
 static double clean_angle(double angle)
 {
-    const double quarter = pi / 2, nearest = quarter * round(angle / quarter);
+    const double quarter = PI / 2, nearest = quarter * round(angle / quarter);
     const double clean = fabs(angle - nearest) <= rounding ? nearest : angle;
     if (clean == 0) {
         return 0; /* never -0 */
     }
-    return clean <= -pi ? clean + 2 * pi : clean;
+    return clean <= -PI ? clean + 2 * PI : clean;
 }
 
 static double clean_length(const given *given, double length)
@@ -149,7 +149,7 @@ static armtol_link along(const given *given, armtol_joint joint, const line *to,
 
 static bool is_tilted(const armtol_link *link)
 {
-    return link->beta != 0 || (link->alpha != 0 && link->alpha != pi);
+    return link->beta != 0 || (link->alpha != 0 && link->alpha != PI);
 }
 
 /* The link from the chain's last frame to an axis. */

@@ -2,6 +2,7 @@
 #define ARMTOL_LIB_REPORT_ARITHMETIC_H
 
 #include "armtol/errata.h"
+#include "lib/report/pi.h"
 
 /*
  * Rounds to float for certain. The plain cast is not enough: gcc 12.2 -O2 drops it where its vectoriser joins
@@ -25,7 +26,7 @@ static inline double store(const armtol_errata *errata, double value)
 /* Erratum `short-pi`: 3.14159 wherever pi is meant. */
 static inline double pi_of(const armtol_errata *errata)
 {
-    return errata->short_pi ? 3.14159 : 3.14159265358979323846;
+    return errata->short_pi ? 3.14159 : PI;
 }
 
 #endif

@@ -4,6 +4,7 @@
 #include "armtol/link_transform.h"
 #include "armtol/twist_transform.h"
 #include "lib/report/arithmetic.h"
+#include "lib/report/columns.h"
 #include "lib/report/finite.h"
 
 size_t armtol_column_count(const armtol_link links[], size_t n_links)
@@ -17,7 +18,7 @@ size_t armtol_column_count(const armtol_link links[], size_t n_links)
     return total;
 }
 
-static armtol_status check_size(const armtol_link links[], size_t n_links, size_t n_columns)
+armtol_status columns_check(const armtol_link links[], size_t n_links, size_t n_columns)
 {
     const armtol_status status = armtol_links_check(links, n_links);
     if (status != ARMTOL_OK) {
@@ -29,7 +30,7 @@ static armtol_status check_size(const armtol_link links[], size_t n_links, size_
 armtol_status armtol_columns(const armtol_link links[], size_t n_links, armtol_column columns[],
                              size_t n_columns)
 {
-    const armtol_status status = check_size(links, n_links, n_columns);
+    const armtol_status status = columns_check(links, n_links, n_columns);
     if (status != ARMTOL_OK) {
         return status;
     }
@@ -117,7 +118,7 @@ void armtol_refer_to_point(double matrix[], size_t n_columns, const double point
 armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, const armtol_errata *errata,
                                   double matrix[], size_t n_columns)
 {
-    const armtol_status status = check_size(links, n_links, n_columns);
+    const armtol_status status = columns_check(links, n_links, n_columns);
     if (status != ARMTOL_OK) {
         return status;
     }

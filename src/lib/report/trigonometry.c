@@ -1,17 +1,11 @@
 #include "lib/report/trigonometry.h"
 
 #include "armtol/conventions.h"
-#include "lib/lanes/lanes.h"
+#include "lib/report/pi.h"
 
 #define LANES 1
-#include "lib/lanes/sincos_kernel.h"
-#include "lib/lanes/lane_kernel.h"
-#include "lib/lanes/triple_kernel.h"
-#include "lib/lanes/frame_kernel.h"
-#include "lib/lanes/rotation_kernel.h"
-#undef LANES
-
-static const double pi = 3.14159265358979323846;
+#include "lib/lanes/rotation.h"
+#include "lib/lanes/sincos.h"
 
 double sine_of(const armtol_errata *errata, double angle)
 {
@@ -19,7 +13,7 @@ double sine_of(const armtol_errata *errata, double angle)
     if (errata->float_storage) {
         return sin(angle);
     }
-    sine_cosine_1(&angle, &sine, &cosine);
+    sine_cosine(&angle, &sine, &cosine);
     return sine;
 }
 
@@ -29,7 +23,7 @@ double cosine_of(const armtol_errata *errata, double angle)
     if (errata->float_storage) {
         return cos(angle);
     }
-    sine_cosine_1(&angle, &sine, &cosine);
+    sine_cosine(&angle, &sine, &cosine);
     return cosine;
 }
 
@@ -39,16 +33,16 @@ static double angle_of_quadrant(double y, double x)
     static const double tan_eighth = 0.41421356237309504880; /* of pi */
     double tangent = 0, nearest = 0, terms;
     if (y > x / tan_eighth) {
-        nearest = pi / 2;
+        nearest = PI / 2;
         tangent = -x / y;
     } else if (y > x * tan_eighth) {
-        nearest = pi / 4;
+        nearest = PI / 4;
         tangent = (y - x) / (y + x);
     } else if (y > 0) {
         tangent = y / x;
     }
     const double square = tangent * tangent;
-    arctangent_terms_1(&square, &terms);
+    arctangent_terms(&square, &terms);
     return nearest + (tangent + tangent * square * terms);
 }
 
@@ -58,7 +52,7 @@ double angle_of(const armtol_errata *errata, double y, double x)
         return atan2(y, x);
     }
     const double upper = angle_of_quadrant(fabs(y), fabs(x));
-    return copysign(x < 0 ? pi - upper : upper, y);
+    return copysign(x < 0 ? PI - upper : upper, y);
 }
 
 double arc_cosine_of(const armtol_errata *errata, double cosine)

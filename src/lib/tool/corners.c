@@ -1,6 +1,7 @@
 #include "armtol/corners.h"
 
 #include "lib/optimum/row_rounding.h"
+#include "lib/report/pi.h"
 
 #include <float.h>
 #include <math.h>
@@ -162,7 +163,6 @@ static double exponential(double x)
 static void angular_remainder(const double matrix[], size_t n_columns, const double tolerances[],
                               double remainder[3])
 {
-    static const double pi = 3.14159265358979323846;
     double before = 0, p = 0, r = 0, q[3] = {0, 0, 0};
     for (size_t k = 0; k < n_columns; k++) {
         const column of_k = column_of(matrix, n_columns, k);
@@ -177,9 +177,9 @@ static void angular_remainder(const double matrix[], size_t n_columns, const dou
         r += angle * before * before;
         before += angle;
     }
-    const double c = before * (0.5 + before / (pi * pi)), e = exponential(c) * (0.5 + c / 3);
+    const double c = before * (0.5 + before / (PI * PI)), e = exponential(c) * (0.5 + c / 3);
     for (size_t i = 0; i < 3; i++) {
-        remainder[i] = before < pi ? fmin(q[i] / 2 + r / 6 + c * p * (1 + e) / 3, p * e) : (double)INFINITY;
+        remainder[i] = before < PI ? fmin(q[i] / 2 + r / 6 + c * p * (1 + e) / 3, p * e) : (double)INFINITY;
     }
 }
 

@@ -8,12 +8,8 @@
 
 #define NO_COLUMN SIZE_MAX
 
-/*
- * What is prepared of the first links of a chain, at most POSE_LINKS of them: returns how many. Their columns
- * are counted from *column on, which is moved on behind them.
- */
-enum { POSE_LINKS = 8 };
-size_t pose_links_of(const armtol_link links[], size_t n_links, size_t *column, armtol_pose_link made[]);
+/* What is prepared of a link. Its columns are counted from *column on, which is moved on behind them. */
+armtol_pose_link pose_link_of(const armtol_link *link, size_t *column);
 
 /* Where the columns of a link's parameters are, NO_COLUMN for what the kind does not count. */
 void columns_of_link(armtol_kind kind, size_t *column, size_t columns[ARMTOL_PARAMETER_COUNT]);

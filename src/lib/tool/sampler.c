@@ -2,80 +2,32 @@
 
 #include "armtol/error_matrix.h"
 #include "armtol/transform.h"
+#include "lib/report/columns.h"
 #include "lib/report/finite.h"
-#include "lib/lanes/lanes.h"
 #include "lib/tool/pose_link.h"
 #include "lib/tool/splitmix.h"
 
 #define LANES 1
-#include "lib/lanes/triple_kernel.h"
-#include "lib/tool/sampler_kernel.h"
-#undef LANES
-#if LANES_ARE_VECTORS
-#define LANES 2
-#include "lib/lanes/triple_kernel.h"
-#include "lib/tool/sampler_kernel.h"
-#undef LANES
-#endif
-#if LANES_HAVE_MACHINES
-#define LANES 4
-#include "lib/lanes/triple_kernel.h"
-#include "lib/tool/sampler_kernel.h"
-#undef LANES
-#define LANES 8
-#include "lib/lanes/triple_kernel.h"
-#include "lib/tool/sampler_kernel.h"
-#undef LANES
-#endif
+#include "lib/lanes/frame.h"
 
 /* ---- drawing ---- */
 
-/*
- * Every arm is drawn in a whole block of lanes, and so by the same arithmetic whatever is asked for with it.
- */
-LANE_INLINE void draw_blocks(const armtol_sampler *sampler, uint64_t first, size_t count, bool large,
-                             double errors[], int lanes)
-{
-    for (size_t done = 0; done < count; done += BLOCK) {
-        const size_t some = count - done < BLOCK ? count - done : BLOCK;
-        double block[6 * BLOCK];
-        LANES_CALL(arm_block, lanes, (sampler, first + done, large, block));
-        for (size_t i = 0; i < 6; i++) {
-            memcpy(errors + i * count + done, block + i * BLOCK, some * sizeof block[0]);
-        }
-    }
-}
-
-/* Compiled once for each way to sines: registers are not to be kept free for one that is not taken. */
-LANE_INLINE void draw_all(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[],
-                          int lanes)
-{
-    if (sampler->large_errors) {
-        draw_blocks(sampler, first, count, true, errors, lanes);
-    } else {
-        draw_blocks(sampler, first, count, false, errors, lanes);
-    }
-}
-
-LANES_MACHINES(draw_all, (const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]),
-               sampler, first, count, errors)
-
-void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[])
-{
-    draw_all_on_machine(sampler, first, count, errors);
-}
-
+/* The upper 53 bits, over 2^52, less 1: exact. */
 static double uniform_of(uint64_t key, uint64_t number)
 {
-    uint64_t state = key + SPLITMIX_STEP * (number + 1);
-    double draw;
-    uniform_1(1, &state, &draw);
-    return draw;
+    const uint64_t mixed = splitmix_mix(key + SPLITMIX_STEP * (number + 1));
+    return (double)(mixed >> 11) * 0x1p-52 - 1;
+}
+
+/* The seed is mixed too: the draws of neighbouring seeds would else be each other's, one place on. */
+static uint64_t key_of(uint64_t seed)
+{
+    return splitmix_mix(seed);
 }
 
 double armtol_sampler_uniform(uint64_t seed, uint64_t number)
 {
-    return uniform_of(splitmix_key(seed), number);
+    return uniform_of(key_of(seed), number);
 }
 
 void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, double parameter_errors[])
@@ -111,12 +63,9 @@ static armtol_status check_tolerances(const double tolerances[], size_t n)
 static armtol_status check(const armtol_link links[], size_t n_links, const double tolerances[],
                            size_t n_columns, const armtol_tool_point *tool)
 {
-    const armtol_status status = armtol_links_check(links, n_links);
+    const armtol_status status = columns_check(links, n_links, n_columns);
     if (status != ARMTOL_OK) {
         return status;
-    }
-    if (n_columns != armtol_column_count(links, n_links)) {
-        return ARMTOL_WRONG_SIZE;
     }
     return all_finite(tool->offset, 3) ? check_tolerances(tolerances, n_columns) : ARMTOL_NOT_FINITE;
 }
@@ -147,15 +96,15 @@ static armtol_sampled_link sampled_link_of(const armtol_pose_link *link, const d
     return sampled;
 }
 
-static void cross_meant_link(const armtol_pose_link *link, frame_1 *frame)
+static void cross_meant_link(const armtol_pose_link *link, frame *frame)
 {
-    turn_1(frame->x, frame->y, &link->cos_theta, &link->sin_theta);
-    advance_1(frame, &link->a, &link->d);
-    turn_1(frame->y, frame->z, &link->cos_alpha, &link->sin_alpha);
-    turn_1(frame->z, frame->x, &link->cos_beta, &link->sin_beta);
+    turn(frame->x, frame->y, &link->cos_theta, &link->sin_theta);
+    advance(frame, &link->a, &link->d);
+    turn(frame->y, frame->z, &link->cos_alpha, &link->sin_alpha);
+    turn(frame->z, frame->x, &link->cos_beta, &link->sin_beta);
 }
 
-static armtol_transform transform_of(const frame_1 *frame)
+static armtol_transform transform_of(const frame *frame)
 {
     armtol_transform transform = {{{0}, {0}, {0}, {0, 0, 0, 1}}};
     for (int i = 0; i < 3; i++) {
@@ -194,15 +143,12 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
     if (status != ARMTOL_OK) {
         return status;
     }
-    frame_1 frame = {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}};
+    frame frame = {.x = {1, 0, 0}, .y = {0, 1, 0}, .z = {0, 0, 1}};
     size_t column = 0;
-    for (size_t done = 0; done < n_links;) {
-        armtol_pose_link some[POSE_LINKS];
-        const size_t n = pose_links_of(links + done, n_links - done, &column, some);
-        for (size_t i = 0; i < n; i++) {
-            prepared[done++] = sampled_link_of(&some[i], tolerances);
-            cross_meant_link(&some[i], &frame);
-        }
+    for (size_t i = 0; i < n_links; i++) {
+        const armtol_pose_link link = pose_link_of(&links[i], &column);
+        prepared[i] = sampled_link_of(&link, tolerances);
+        cross_meant_link(&link, &frame);
     }
     const armtol_transform meant = transform_of(&frame);
     *sampler = (armtol_sampler){
@@ -213,7 +159,7 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
         .meant = meant,
         .start = armtol_transform_inverse(&meant, &armtol_errata_none),
         .seed = seed,
-        .key = splitmix_key(seed),
+        .key = key_of(seed),
     };
     measure(sampler);
     return ARMTOL_OK;

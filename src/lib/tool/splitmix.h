@@ -14,10 +14,9 @@
 #define SPLITMIX_SECOND(z) (((z) ^ ((z) >> 27)) * 0x94d049bb133111ebu)
 #define SPLITMIX_LAST(z) ((z) ^ ((z) >> 31))
 
-/* The seed is mixed too: the draws of neighbouring seeds would else be each other's, one place on. */
-static inline uint64_t splitmix_key(uint64_t seed)
+static inline uint64_t splitmix_mix(uint64_t state)
 {
-    const uint64_t first = SPLITMIX_FIRST(seed), second = SPLITMIX_SECOND(first);
+    const uint64_t first = SPLITMIX_FIRST(state), second = SPLITMIX_SECOND(first);
     return SPLITMIX_LAST(second);
 }
 

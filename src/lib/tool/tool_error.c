@@ -3,6 +3,7 @@
 #include "armtol/error_matrix.h"
 #include "armtol/link_transform.h"
 #include "armtol/transform.h"
+#include "lib/report/columns.h"
 #include "lib/report/trigonometry.h"
 
 #include <math.h>
@@ -110,12 +111,9 @@ static void express(const armtol_transform *frame, double vector[3])
 armtol_status armtol_tool_error(const armtol_link links[], size_t n_links, const double parameter_errors[],
                                 size_t n_columns, const armtol_tool_point *tool, double error[6])
 {
-    const armtol_status status = armtol_links_check(links, n_links);
+    const armtol_status status = columns_check(links, n_links, n_columns);
     if (status != ARMTOL_OK) {
         return status;
-    }
-    if (n_columns != armtol_column_count(links, n_links)) {
-        return ARMTOL_WRONG_SIZE;
     }
     const armtol_transform meant = armtol_chain_transform(links, n_links, &armtol_errata_none);
     const armtol_transform built = built_chain(links, n_links, parameter_errors);

@@ -3,6 +3,7 @@
 #include "armtol/robots.h"
 #include "armtol/tool_matrix.h"
 
+#include "lib/tool/kernels.h"
 #include "support/check.h"
 #include "support/random.h"
 #include "unity.h"
@@ -20,7 +21,7 @@ static armtol_link links[MOST_LINKS], placed[MOST_LINKS];
 static armtol_pose_link prepared[MOST_LINKS];
 static double q[MOST_POSES * MOST_LINKS];
 static double blocks[ARMTOL_POSE_BLOCKS(MOST_POSES) * ARMTOL_POSE_BLOCK * 6 * MOST_COLUMNS + 1];
-static double matrix[6 * MOST_COLUMNS], expected[6 * MOST_COLUMNS], ordered[6 * MOST_COLUMNS];
+static double expected[6 * MOST_COLUMNS], ordered[6 * MOST_COLUMNS];
 
 void setUp(void)
 {
@@ -87,9 +88,9 @@ static void check_pose(const armtol_poses *poses, const double joints[])
     size_t n;
     armtol_bounds found;
     const armtol_bounds right = expect(poses, joints, &n);
-    armtol_pose(poses, joints, matrix, &found);
+    armtol_pose_blocks(poses, joints, 1, blocks, &found);
     for (size_t i = 0; i < 6 * n; i++) {
-        check_within(i < 3 * n ? 1e-11 : 1e-14, expected[i], matrix[i], "row %zu, column %zu", i / n, i % n);
+        check_same(expected[i], blocks[ARMTOL_POSE_ELEMENT(n, i / n, i % n, 0)], "row %zu, column %zu", i / n, i % n);
     }
     check_bounds(&right, &found);
 }
@@ -134,19 +135,21 @@ static void test_a_pose_is_the_matrix_and_the_bounds_of_the_placed_links(void)
 }
 
 /* Bit for bit, and also where there is no pose for a lane: it repeats the last. */
-static void check_blocks(const armtol_poses *poses, size_t n_poses, double *first)
+static void check_blocks_of(const kernels *kernels, const armtol_poses *poses, size_t n_poses, double *first)
 {
+    static double alone_blocks[ARMTOL_POSE_BLOCK * 6 * MOST_COLUMNS];
     armtol_bounds bounds[MOST_POSES + 1];
     bounds[n_poses] = (armtol_bounds){42, 42};
-    armtol_pose_blocks(poses, q, n_poses, first, bounds);
+    kernels->pose_blocks(poses, q, n_poses, first, bounds);
     for (size_t p = 0; p < ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK; p++) {
         armtol_bounds alone;
+        size_t n;
         const size_t same = p < n_poses ? p : n_poses - 1;
-        armtol_pose(poses, q + same * poses->n_joints, matrix, &alone);
+        expect(poses, q + same * poses->n_joints, &n);
+        armtol_pose_blocks(poses, q + same * poses->n_joints, 1, alone_blocks, &alone);
         for (size_t i = 0; i < 6; i++) {
-            for (size_t j = 0; j < poses->n_columns; j++) {
-                check_same(matrix[i * poses->n_columns + j],
-                           first[ARMTOL_POSE_ELEMENT(poses->n_columns, i, j, p)],
+            for (size_t j = 0; j < n; j++) {
+                check_same(expected[i * n + j], first[ARMTOL_POSE_ELEMENT(n, i, j, p)],
                            "%zu poses, pose %zu, row %zu, column %zu", n_poses, p, i, j);
             }
         }
@@ -156,7 +159,15 @@ static void check_blocks(const armtol_poses *poses, size_t n_poses, double *firs
     check_same(42, bounds[n_poses].distance, "behind the last bound");
 }
 
-static void test_blocks_have_the_bits_of_single_poses(void)
+/* With every width of vectors that this machine has. */
+static void check_blocks(const armtol_poses *poses, size_t n_poses, double *first)
+{
+    for (int lanes = 2; lanes <= ARMTOL_POSE_BLOCK; lanes *= 2) {
+        check_blocks_of(kernels_of_machine(lanes), poses, n_poses, first);
+    }
+}
+
+static void test_a_pose_has_the_same_bits_in_any_block_and_alone(void)
 {
     for (uint64_t seed = 0; seed < 12; seed++) {
         const armtol_tool_point tool = {{3, 4, 5}, (armtol_frame)(seed % 2)};
@@ -203,13 +214,12 @@ static void test_no_poses_are_no_work(void)
  */
 static void check_sine(const armtol_poses *poses, double angle, double units)
 {
-    double a[6 * 4];
     armtol_bounds bounds;
-    armtol_pose(poses, &angle, a, &bounds);
+    armtol_pose_blocks(poses, &angle, 1, blocks, &bounds);
     const long double right[2] = {-sinl((long double)angle), cosl((long double)angle)};
     for (int i = 0; i < 2; i++) {
         const double unit = ldexp(1, ilogb((double)right[i]) - 52);
-        const double off = (double)((long double)a[4 * i] - right[i]);
+        const double off = (double)((long double)blocks[ARMTOL_POSE_ELEMENT(4, (size_t)i, 0, 0)] - right[i]);
         check_within(units * unit, 0, off, "%s of %.17g", i == 0 ? "sine" : "cosine", angle);
     }
 }
@@ -263,7 +273,7 @@ static void test_nan_gives_nan_bounds(void)
     for (size_t k = 0; k < 6; k++) {
         double joints[6] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
         joints[k] = k % 2 == 0 ? (double)NAN : (double)INFINITY;
-        armtol_pose(&poses, joints, matrix, &bounds);
+        armtol_pose_blocks(&poses, joints, 1, blocks, &bounds);
         TEST_ASSERT_TRUE(isnan(bounds.angle));
         TEST_ASSERT_TRUE(k == 5 || isnan(bounds.distance));
     }
@@ -277,7 +287,7 @@ static void test_rows_without_entries_set_no_bound(void)
     links[0] = (armtol_link){.kind = ARMTOL_NPP, .joint = ARMTOL_PRISMATIC};
     start(&poses, 1, &armtol_tool_origin);
     const double joint = 5;
-    armtol_pose(&poses, &joint, matrix, &bounds);
+    armtol_pose_blocks(&poses, &joint, 1, blocks, &bounds);
     check_within(1e-15, delta, bounds.distance, "the distance bound");
     /*
      * theta turns about z: 0.3 allowed; alpha about x: 0.1, and moves y by 5 an unit: no, the tool is on its
@@ -312,7 +322,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_every_row_can_set_the_bounds);
     RUN_TEST(test_a_pose_is_the_matrix_and_the_bounds_of_the_placed_links);
-    RUN_TEST(test_blocks_have_the_bits_of_single_poses);
+    RUN_TEST(test_a_pose_has_the_same_bits_in_any_block_and_alone);
     RUN_TEST(test_a_far_angle_leaves_its_neighbours_alone);
     RUN_TEST(test_no_poses_are_no_work);
     RUN_TEST(test_sines_and_cosines_are_within_a_unit_in_the_last_place);

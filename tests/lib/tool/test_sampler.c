@@ -1,7 +1,7 @@
 #include "armtol/error_matrix.h"
 #include "armtol/sampler.h"
 
-#include "lab/uniform_draw.h"
+#include "lib/tool/kernels.h"
 #include "support/check.h"
 #include "support/random.h"
 #include "support/reference.h"
@@ -264,12 +264,21 @@ static void test_turns_of_any_size(void)
 
 /* ---- draws ---- */
 
-static void test_draws_are_those_of_the_experiments(void)
+/* A state that is mixed once more than the generator's own, to which it goes back by a step. */
+static double draw_of(uint64_t seed, uint64_t number)
+{
+    static const uint64_t step = 0x9e3779b97f4a7c15u;
+    random_source mixed = {seed - step};
+    random_source source = {random_bits(&mixed) + number * step};
+    return random_between(&source, -1, 1);
+}
+
+static void test_draws_are_splitmix64_from_a_mixed_seed(void)
 {
     for (uint64_t n = 0; n < 2000; n++) {
-        check_same(uniform_draw(n / 100, n * n), armtol_sampler_uniform(n / 100, n * n), "draw %d", (int)n);
+        check_same(draw_of(n / 100, n * n), armtol_sampler_uniform(n / 100, n * n), "draw %d", (int)n);
     }
-    check_same(uniform_draw(1, UINT64_MAX), armtol_sampler_uniform(1, UINT64_MAX), "the last draw");
+    check_same(draw_of(1, UINT64_MAX), armtol_sampler_uniform(1, UINT64_MAX), "the last draw");
 }
 
 static void test_parameters_are_shares_of_their_tolerances(void)
@@ -280,19 +289,19 @@ static void test_parameters_are_shares_of_their_tolerances(void)
     for (uint64_t arm = 0; arm < 50; arm++) {
         armtol_sampler_parameters(&sampler, arm, parameters);
         for (size_t k = 0; k < n; k++) {
-            check_same(tolerances[k] * uniform_draw(17, arm * n + k), parameters[k], "column %zu", k);
+            check_same(tolerances[k] * draw_of(17, arm * n + k), parameters[k], "column %zu", k);
         }
     }
 }
 
-/* However the arms are divided, and wherever a part begins: the same bits. */
-static void check_split(uint64_t first, size_t part)
+/* However the arms are divided, wherever a part begins, and with every width of vectors of this machine: the same bits. */
+static void check_split(const kernels *kernels, uint64_t first, size_t part)
 {
     for (size_t done = 0; done < ARMS; done += part) {
         const size_t count = part < ARMS - done ? part : ARMS - done;
         double some[6 * ARMS + 1];
         some[6 * count] = 42;
-        armtol_sampler_draw(&sampler, first + done, count, some);
+        kernels->draw(&sampler, first + done, count, some);
         for (size_t i = 0; i < 6; i++) {
             TEST_ASSERT_EQUAL_MEMORY(errors + i * ARMS + done, some + i * count, count * sizeof some[0]);
         }
@@ -310,7 +319,7 @@ static void test_the_same_bits_for_any_split(void)
         for (size_t n = 0; n < sizeof firsts / sizeof firsts[0]; n++) {
             armtol_sampler_draw(&sampler, firsts[n], ARMS, errors);
             for (size_t part = 1; part <= ARMS; part += part < 20 ? 1 : 13) {
-                check_split(firsts[n], part);
+                check_split(kernels_of_machine(2 << part % 3), firsts[n], part);
             }
         }
     }
@@ -368,7 +377,7 @@ int main(void)
     RUN_TEST(test_series_are_good_to_rounding_up_to_where_they_end);
     RUN_TEST(test_almost_half_turns);
     RUN_TEST(test_turns_of_any_size);
-    RUN_TEST(test_draws_are_those_of_the_experiments);
+    RUN_TEST(test_draws_are_splitmix64_from_a_mixed_seed);
     RUN_TEST(test_parameters_are_shares_of_their_tolerances);
     RUN_TEST(test_the_same_bits_for_any_split);
     RUN_TEST(test_other_seeds_are_other_arms);
