@@ -16,10 +16,10 @@ typedef enum armtol_sum {
 } armtol_sum;
 
 /*
- * The number of doubles that armtol_allocate needs to work in: n_rows and, with c the lesser of n_rows and
+ * The number of doubles that armtol_optimum needs to work in: n_rows and, with c the lesser of n_rows and
  * 3 n_columns + 24, about c (c + n_columns).
  */
-size_t armtol_allocation_workspace(size_t n_rows, size_t n_columns);
+size_t armtol_optimum_workspace(size_t n_rows, size_t n_columns);
 
 /*
  * The tolerances with the largest product, each to the power of its weight, that keep to the limits:
@@ -42,7 +42,7 @@ size_t armtol_allocation_workspace(size_t n_rows, size_t n_columns);
  * which no other t that keeps to the limits can have: it proves the optimum. Where several sets of
  * multipliers do, as with rows that are alike, one of them comes out.
  *
- * workspace has armtol_allocation_workspace places. The result is the same to the bit on every machine with
+ * workspace has armtol_optimum_workspace places. The result is the same to the bit on every machine with
  * IEEE arithmetic.
  * Source: the largest tolerances that keep the tool within limits are what Hahn 1987 asks for; he has a
  * sphere in their place (bounds.h).
@@ -51,7 +51,7 @@ size_t armtol_allocation_workspace(size_t n_rows, size_t n_columns);
  * weight that is not positive), ARMTOL_NOT_SOLVED (the iteration did not converge: no case is known where
  * weights are within 1e12 of each other).
  */
-armtol_status armtol_allocate(armtol_sum sum, const double matrix[], size_t n_rows, size_t n_columns,
+armtol_status armtol_optimum(armtol_sum sum, const double matrix[], size_t n_rows, size_t n_columns,
                               const double limits[], const double weights[], double tolerances[],
                               double multipliers[], double workspace[]);
 

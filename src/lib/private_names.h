@@ -5,17 +5,17 @@
  * What the library's files say to each other and to nobody else. In the static library such a name is as visible as a
  * public one: it gets the library's prefix there, so that no program's own routine meets it. (The test exports.)
  */
-#define allocation_add_multiple armtol_private_allocation_add_multiple
-#define allocation_binds armtol_private_allocation_binds
-#define allocation_center armtol_private_allocation_center
-#define allocation_dot armtol_private_allocation_dot
-#define allocation_element armtol_private_allocation_element
-#define allocation_factor armtol_private_allocation_factor
-#define allocation_factor_solve armtol_private_allocation_factor_solve
-#define allocation_find_units armtol_private_allocation_find_units
-#define allocation_in_range armtol_private_allocation_in_range
-#define allocation_pack armtol_private_allocation_pack
-#define allocation_use armtol_private_allocation_use
+#define optimum_add_multiple armtol_private_optimum_add_multiple
+#define optimum_binds armtol_private_optimum_binds
+#define optimum_center armtol_private_optimum_center
+#define optimum_dot armtol_private_optimum_dot
+#define optimum_element armtol_private_optimum_element
+#define optimum_factor armtol_private_optimum_factor
+#define optimum_factor_solve armtol_private_optimum_factor_solve
+#define optimum_find_units armtol_private_optimum_find_units
+#define optimum_in_range armtol_private_optimum_in_range
+#define optimum_pack armtol_private_optimum_pack
+#define optimum_use armtol_private_optimum_use
 #define angle_of armtol_private_angle_of
 #define answer_find_tolerances armtol_private_answer_find_tolerances
 #define answer_lever armtol_private_answer_lever

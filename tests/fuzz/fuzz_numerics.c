@@ -185,12 +185,12 @@ static void check_certificate(const problem *problem, armtol_sum sum, const doub
     }
 }
 
-static armtol_status allocate(const problem *problem, armtol_sum sum, double tolerances[], double multipliers[])
+static armtol_status find_optimum(const problem *problem, armtol_sum sum, double tolerances[], double multipliers[])
 {
     static double workspace[WORKSPACE];
     const size_t n_rows = 6 * problem->n_poses;
-    REQUIRE(armtol_allocation_workspace(n_rows, problem->n_columns) <= WORKSPACE);
-    return armtol_allocate(sum, problem->matrices, n_rows, problem->n_columns, problem->limits, problem->weights,
+    REQUIRE(armtol_optimum_workspace(n_rows, problem->n_columns) <= WORKSPACE);
+    return armtol_optimum(sum, problem->matrices, n_rows, problem->n_columns, problem->limits, problem->weights,
                            tolerances, multipliers, workspace);
 }
 
@@ -207,10 +207,10 @@ static bool is_wrong(const problem *problem)
     return wrong;
 }
 
-static bool check_allocation(const problem *problem, armtol_sum sum, double tolerances[])
+static bool check_optimum(const problem *problem, armtol_sum sum, double tolerances[])
 {
     double multipliers[MOST_ROWS];
-    const armtol_status status = allocate(problem, sum, tolerances, multipliers);
+    const armtol_status status = find_optimum(problem, sum, tolerances, multipliers);
     if (is_wrong(problem)) {
         REQUIRE(status == ARMTOL_NOT_FINITE || status == ARMTOL_BAD_TOLERANCE || status == ARMTOL_BAD_WEIGHT);
         return false;
@@ -401,10 +401,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     check_poses(&problem);
     check_sphere(&problem);
-    if (check_allocation(&problem, ARMTOL_ROOT_SUM_SQUARES, tolerances)) {
+    if (check_optimum(&problem, ARMTOL_ROOT_SUM_SQUARES, tolerances)) {
         check_remainder(&problem, tolerances);
     }
-    if (check_allocation(&problem, ARMTOL_WORST_CASE, tolerances)) {
+    if (check_optimum(&problem, ARMTOL_WORST_CASE, tolerances)) {
         check_remainder(&problem, tolerances);
         make_small(&problem, tolerances);
         if (!problem.wild) {

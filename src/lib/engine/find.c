@@ -22,7 +22,7 @@ static bool get_rows(rows *rows, size_t n_rows, size_t n_columns)
         .limits = calloc(n_rows, sizeof(double)),
         .multipliers = calloc(n_rows, sizeof(double)),
         .weights = calloc(n_columns, sizeof(double)),
-        .workspace = calloc(armtol_allocation_workspace(n_rows, n_columns), sizeof(double)),
+        .workspace = calloc(armtol_optimum_workspace(n_rows, n_columns), sizeof(double)),
     };
     return rows->limits != NULL && rows->multipliers != NULL && rows->weights != NULL && rows->workspace != NULL;
 }
@@ -56,7 +56,7 @@ static armtol_status solve(armtol_answer *answer, const armtol_question *questio
         rows->weights[k] = question->weights != NULL ? question->weights[k] : 1;
     }
     const armtol_status status =
-        armtol_allocate(sum, answer->matrices, n_rows, answer->n_columns, rows->limits, rows->weights,
+        armtol_optimum(sum, answer->matrices, n_rows, answer->n_columns, rows->limits, rows->weights,
                         answer->tolerances, rows->multipliers, rows->workspace);
     for (size_t i = 0; i < n_rows && status == ARMTOL_OK; i++) {
         answer->components[i % 6].binds += rows->multipliers[i];

@@ -30,7 +30,7 @@ static double largest_load(const center_problem *problem, const double t[])
     double largest = 0;
     for (size_t i = 0; i < problem->n_rows; i++) {
         const double *row = problem->rows + i * problem->n_columns;
-        largest = fmax(largest, allocation_dot(row, t, problem->n_columns));
+        largest = fmax(largest, optimum_dot(row, t, problem->n_columns));
     }
     return largest;
 }
@@ -42,7 +42,7 @@ static void transposed_product(const center_problem *problem, const double l[], 
         product[k] = 0;
     }
     for (size_t i = 0; i < problem->n_rows; i++) {
-        allocation_add_multiple(product, l[i], problem->rows + i * problem->n_columns, problem->n_columns);
+        optimum_add_multiple(product, l[i], problem->rows + i * problem->n_columns, problem->n_columns);
     }
 }
 
@@ -64,7 +64,7 @@ static void start(const center_problem *problem, center_state *state)
     }
     for (size_t i = 0; i < p; i++) {
         state->l[i] *= shrink;
-        state->s[i] = 1 - allocation_dot(problem->rows + i * n, state->t, n);
+        state->s[i] = 1 - optimum_dot(problem->rows + i * n, state->t, n);
     }
 }
 
@@ -81,11 +81,11 @@ static void factor(const center_problem *problem, center_state *state)
             state->dt[k] = state->ratios[k] * row[k];
         }
         for (size_t j = 0; j <= i; j++) {
-            state->matrix[i * p + j] = allocation_dot(problem->rows + j * n, state->dt, n);
+            state->matrix[i * p + j] = optimum_dot(problem->rows + j * n, state->dt, n);
         }
         state->matrix[i * p + i] += state->s[i] / state->l[i];
     }
-    allocation_factor(state->matrix, p, state->pivots);
+    optimum_factor(state->matrix, p, state->pivots);
 }
 
 /*
@@ -96,9 +96,9 @@ static void find_step(const center_problem *problem, center_state *state)
 {
     const size_t p = problem->n_rows, n = problem->n_columns;
     for (size_t i = 0; i < p; i++) {
-        state->dl[i] = (allocation_dot(problem->rows + i * n, state->targets, n) - 1) + state->complements[i];
+        state->dl[i] = (optimum_dot(problem->rows + i * n, state->targets, n) - 1) + state->complements[i];
     }
-    allocation_factor_solve(state->matrix, p, state->pivots, state->dl);
+    optimum_factor_solve(state->matrix, p, state->pivots, state->dl);
     transposed_product(problem, state->dl, state->dy);
     for (size_t k = 0; k < n; k++) {
         state->dt[k] = state->targets[k] - state->t[k] - state->ratios[k] * state->dy[k];
@@ -130,7 +130,7 @@ static double length_of(const center_problem *problem, const center_state *state
 
 static double mean_product(const center_problem *problem, const center_state *state)
 {
-    return allocation_dot(state->l, state->s, problem->n_rows) / (double)problem->n_rows;
+    return optimum_dot(state->l, state->s, problem->n_rows) / (double)problem->n_rows;
 }
 
 /* The mean of l s that the step would lead to. */
@@ -160,13 +160,13 @@ static void aim(const center_problem *problem, center_state *state, double mu, b
 
 static void take_step(const center_problem *problem, center_state *state, double length)
 {
-    allocation_add_multiple(state->t, length, state->dt, problem->n_columns);
-    allocation_add_multiple(state->s, length, state->ds, problem->n_rows);
-    allocation_add_multiple(state->l, length, state->dl, problem->n_rows);
+    optimum_add_multiple(state->t, length, state->dt, problem->n_columns);
+    optimum_add_multiple(state->s, length, state->ds, problem->n_rows);
+    optimum_add_multiple(state->l, length, state->dl, problem->n_rows);
     transposed_product(problem, state->l, state->y);
 }
 
-bool allocation_binds(const center_state *state, size_t row)
+bool optimum_binds(const center_state *state, size_t row)
 {
     return state->s[row] <= negligible;
 }
@@ -189,7 +189,7 @@ static bool is_solved(const center_problem *problem, const center_state *state)
         solved = fabs(state->t[k] * state->y[k] - problem->weights[k]) <= negligible * problem->weights[k];
     }
     for (size_t i = 0; solved && i < problem->n_rows; i++) {
-        solved = allocation_binds(state, i) || is_idle(problem, state, i);
+        solved = optimum_binds(state, i) || is_idle(problem, state, i);
     }
     return solved;
 }
@@ -223,7 +223,7 @@ static void step(const center_problem *problem, center_state *state, bool carefu
     take_step(problem, state, length_of(problem, state, share));
 }
 
-bool allocation_center(const center_problem *problem, center_state *state)
+bool optimum_center(const center_problem *problem, center_state *state)
 {
     start(problem, state);
     for (int i = 0; i < MOST_ITERATIONS; i++) {

@@ -7,7 +7,7 @@
 #include <stddef.h>
 
 /*
- * The inner problem of the allocation, scaled: with B >= 0, p x n, and weights that sum to 1,
+ * The inner problem of the optimum, scaled: with B >= 0, p x n, and weights that sum to 1,
  *     maximise  sum_k weights[k] log t[k]  subject to  B t + s = 1,  s >= 0.
  * With l >= 0 the multipliers of the rows and y = B'l, t is the optimum where
  *     t[k] y[k] = weights[k]  and  l[i] s[i] = 0.
@@ -29,9 +29,9 @@ typedef struct center_state {
 enum { CENTER_VECTORS = 6 }; /* of each of the two lengths */
 
 /* Solve. False where the iteration does not converge. */
-bool allocation_center(const center_problem *problem, center_state *state);
+bool optimum_center(const center_problem *problem, center_state *state);
 
 /* Whether the row binds at the optimum, rounding apart. */
-bool allocation_binds(const center_state *state, size_t row);
+bool optimum_binds(const center_state *state, size_t row);
 
 #endif

@@ -3,7 +3,7 @@
 /* What is left of a diagonal element, as a part of it, that is no more than its rounding. */
 static const double rounding = 1e-14;
 
-double allocation_dot(const double a[], const double b[], size_t n)
+double optimum_dot(const double a[], const double b[], size_t n)
 {
     double sums[4] = {0, 0, 0, 0};
     size_t k = 0;
@@ -19,7 +19,7 @@ double allocation_dot(const double a[], const double b[], size_t n)
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
 
-void allocation_add_multiple(double y[], double factor, const double x[], size_t n)
+void optimum_add_multiple(double y[], double factor, const double x[], size_t n)
 {
     for (size_t k = 0; k < n; k++) {
         y[k] += factor * x[k];
@@ -32,7 +32,7 @@ static double factor_row(double matrix[], size_t n, size_t i, const double inver
     double *row = matrix + i * n;
     const double diagonal = row[i];
     for (size_t j = 0; j < i; j++) {
-        row[j] -= allocation_dot(row, matrix + j * n, j);
+        row[j] -= optimum_dot(row, matrix + j * n, j);
     }
     double pivot = diagonal;
     for (size_t j = 0; j < i; j++) {
@@ -43,22 +43,22 @@ static double factor_row(double matrix[], size_t n, size_t i, const double inver
     return pivot > rounding * diagonal ? 1 / pivot : 0;
 }
 
-void allocation_factor(double matrix[], size_t n, double inverse_pivots[])
+void optimum_factor(double matrix[], size_t n, double inverse_pivots[])
 {
     for (size_t i = 0; i < n; i++) {
         inverse_pivots[i] = factor_row(matrix, n, i, inverse_pivots);
     }
 }
 
-void allocation_factor_solve(const double factor[], size_t n, const double inverse_pivots[], double x[])
+void optimum_factor_solve(const double factor[], size_t n, const double inverse_pivots[], double x[])
 {
     for (size_t i = 0; i < n; i++) {
-        x[i] -= allocation_dot(factor + i * n, x, i);
+        x[i] -= optimum_dot(factor + i * n, x, i);
     }
     for (size_t i = 0; i < n; i++) {
         x[i] *= inverse_pivots[i];
     }
     for (size_t i = n; i-- > 0;) {
-        allocation_add_multiple(x, -x[i], factor + i * n, i);
+        optimum_add_multiple(x, -x[i], factor + i * n, i);
     }
 }

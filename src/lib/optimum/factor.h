@@ -10,15 +10,15 @@
  * triangle is read; L takes its place. A pivot that cancels down to rounding marks a row that depends on
  * those before it: its inverse is set to 0, and solutions leave that unknown at 0.
  */
-void allocation_factor(double matrix[], size_t n, double inverse_pivots[]);
+void optimum_factor(double matrix[], size_t n, double inverse_pivots[]);
 
 /* Solve with such a factor, in place. */
-void allocation_factor_solve(const double factor[], size_t n, const double inverse_pivots[], double x[]);
+void optimum_factor_solve(const double factor[], size_t n, const double inverse_pivots[], double x[]);
 
 /* a'b, in four sums that do not wait for each other; the order is the same everywhere. */
-double allocation_dot(const double a[], const double b[], size_t n);
+double optimum_dot(const double a[], const double b[], size_t n);
 
 /* y += factor x */
-void allocation_add_multiple(double y[], double factor, const double x[], size_t n);
+void optimum_add_multiple(double y[], double factor, const double x[], size_t n);
 
 #endif

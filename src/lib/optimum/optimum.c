@@ -28,14 +28,14 @@ typedef struct working_set {
     size_t capacity;
 } working_set;
 
-typedef struct allocation {
-    allocation_rows rows;
+typedef struct optimum {
+    optimum_rows rows;
     double *weights;    /* of bounded columns, their sum 1 */
     double *tolerances; /* all columns, 0 for the infinite ones */
     double *uses;       /* of every row, as far as it is of interest */
     working_set set;
     center_state state;
-} allocation;
+} optimum;
 
 static size_t capacity_of(size_t n_rows, size_t n_columns)
 {
@@ -43,7 +43,7 @@ static size_t capacity_of(size_t n_rows, size_t n_columns)
     return n_rows < enough ? n_rows : enough;
 }
 
-size_t armtol_allocation_workspace(size_t n_rows, size_t n_columns)
+size_t armtol_optimum_workspace(size_t n_rows, size_t n_columns)
 {
     const size_t capacity = capacity_of(n_rows, n_columns);
     return (3 + CENTER_VECTORS) * n_columns + n_rows + (1 + n_columns + CENTER_VECTORS + capacity) * capacity;
@@ -56,16 +56,16 @@ static double *take(double **place, size_t count)
     return part;
 }
 
-static void divide_workspace(allocation *allocation, double workspace[])
+static void divide_workspace(optimum *optimum, double workspace[])
 {
-    const size_t m = allocation->rows.n_rows, n = allocation->rows.n_columns, capacity = capacity_of(m, n);
-    center_state *state = &allocation->state;
+    const size_t m = optimum->rows.n_rows, n = optimum->rows.n_columns, capacity = capacity_of(m, n);
+    center_state *state = &optimum->state;
     double **const of_columns[] = {
-        &allocation->rows.units, &allocation->weights, &allocation->tolerances,
+        &optimum->rows.units, &optimum->weights, &optimum->tolerances,
         &state->t, &state->y, &state->dt, &state->dy, &state->ratios, &state->targets,
     };
     double **const of_set[] = {
-        &allocation->set.members, &state->l, &state->s, &state->dl, &state->ds,
+        &optimum->set.members, &state->l, &state->s, &state->dl, &state->ds,
         &state->complements, &state->pivots,
     };
     for (size_t i = 0; i < sizeof of_columns / sizeof of_columns[0]; i++) {
@@ -74,14 +74,14 @@ static void divide_workspace(allocation *allocation, double workspace[])
     for (size_t i = 0; i < sizeof of_set / sizeof of_set[0]; i++) {
         *of_set[i] = take(&workspace, capacity);
     }
-    allocation->uses = take(&workspace, m);
-    allocation->set.packed = take(&workspace, capacity * n);
+    optimum->uses = take(&workspace, m);
+    optimum->set.packed = take(&workspace, capacity * n);
     state->matrix = take(&workspace, capacity * capacity);
-    allocation->set.capacity = capacity;
-    allocation->set.count = 0;
+    optimum->set.capacity = capacity;
+    optimum->set.count = 0;
 }
 
-static armtol_status check_input(const allocation_rows *rows, const double weights[])
+static armtol_status check_input(const optimum_rows *rows, const double weights[])
 {
     if (!all_finite(rows->matrix, rows->n_rows * rows->n_columns) || !all_finite(weights, rows->n_columns)) {
         return ARMTOL_NOT_FINITE;
@@ -93,7 +93,7 @@ static armtol_status check_input(const allocation_rows *rows, const double weigh
         if (rows->limits[i] <= 0) {
             return ARMTOL_BAD_TOLERANCE;
         }
-        if (!isinf(rows->limits[i]) && !allocation_in_range(rows->limits[i])) {
+        if (!isinf(rows->limits[i]) && !optimum_in_range(rows->limits[i])) {
             return ARMTOL_NOT_FINITE;
         }
     }
@@ -106,9 +106,9 @@ static armtol_status check_input(const allocation_rows *rows, const double weigh
 }
 
 /* The weights of the bounded columns, divided by their sum; the largest first, so that no sum overflows. */
-static void share_weights(allocation *allocation, const double weights[])
+static void share_weights(optimum *optimum, const double weights[])
 {
-    const allocation_rows *rows = &allocation->rows;
+    const optimum_rows *rows = &optimum->rows;
     double largest = 0, sum = 0;
     size_t count = 0;
     for (size_t k = 0; k < rows->n_columns; k++) {
@@ -116,14 +116,14 @@ static void share_weights(allocation *allocation, const double weights[])
     }
     for (size_t k = 0; k < rows->n_columns; k++) {
         if (rows->units[k] > 0) {
-            allocation->weights[count++] = weights[k] / largest;
+            optimum->weights[count++] = weights[k] / largest;
         }
     }
     for (size_t j = 0; j < count; j++) {
-        sum += allocation->weights[j];
+        sum += optimum->weights[j];
     }
     for (size_t j = 0; j < count; j++) {
-        allocation->weights[j] /= sum;
+        optimum->weights[j] /= sum;
     }
 }
 
@@ -139,21 +139,21 @@ static bool is_member(const working_set *set, size_t row)
     return false;
 }
 
-static void add_row(allocation *allocation, size_t row)
+static void add_row(optimum *optimum, size_t row)
 {
-    working_set *set = &allocation->set;
+    working_set *set = &optimum->set;
     set->members[set->count] = (double)row;
-    allocation_pack(&allocation->rows, row, set->packed + set->count * allocation->rows.n_bounded);
+    optimum_pack(&optimum->rows, row, set->packed + set->count * optimum->rows.n_bounded);
     set->count++;
 }
 
 /* The row that bounds a column most when the column is alone. */
-static size_t tightest_row(const allocation_rows *rows, size_t column)
+static size_t tightest_row(const optimum_rows *rows, size_t column)
 {
     size_t tightest = 0;
     double largest = 0;
     for (size_t i = 0; i < rows->n_rows; i++) {
-        const double element = allocation_element(rows, i, column);
+        const double element = optimum_element(rows, i, column);
         if (element > largest) {
             largest = element;
             tightest = i;
@@ -163,32 +163,32 @@ static size_t tightest_row(const allocation_rows *rows, size_t column)
 }
 
 /* Few rows: all; else enough to bound every column. */
-static void start_set(allocation *allocation)
+static void start_set(optimum *optimum)
 {
-    const allocation_rows *rows = &allocation->rows;
+    const optimum_rows *rows = &optimum->rows;
     if (rows->n_rows <= ALL_AT_ONCE) {
         for (size_t i = 0; i < rows->n_rows; i++) {
-            add_row(allocation, i);
+            add_row(optimum, i);
         }
         return;
     }
     for (size_t k = 0; k < rows->n_columns; k++) {
         if (rows->units[k] > 0) {
             const size_t row = tightest_row(rows, k);
-            if (!is_member(&allocation->set, row)) {
-                add_row(allocation, row);
+            if (!is_member(&optimum->set, row)) {
+                add_row(optimum, row);
             }
         }
     }
 }
 
-static void drop_slack_rows(allocation *allocation)
+static void drop_slack_rows(optimum *optimum)
 {
-    working_set *set = &allocation->set;
-    const size_t n = allocation->rows.n_bounded;
+    working_set *set = &optimum->set;
+    const size_t n = optimum->rows.n_bounded;
     size_t kept = 0;
     for (size_t j = 0; j < set->count; j++) {
-        if (allocation_binds(&allocation->state, j)) {
+        if (optimum_binds(&optimum->state, j)) {
             set->members[kept] = set->members[j];
             for (size_t k = 0; k < n; k++) {
                 set->packed[kept * n + k] = set->packed[j * n + k];
@@ -201,45 +201,45 @@ static void drop_slack_rows(allocation *allocation)
 
 /* ---- rounds ---- */
 
-static bool solve_set(allocation *allocation)
+static bool solve_set(optimum *optimum)
 {
     const center_problem problem = {
-        .rows = allocation->set.packed,
-        .n_rows = allocation->set.count,
-        .n_columns = allocation->rows.n_bounded,
-        .weights = allocation->weights,
+        .rows = optimum->set.packed,
+        .n_rows = optimum->set.count,
+        .n_columns = optimum->rows.n_bounded,
+        .weights = optimum->weights,
     };
-    if (!allocation_center(&problem, &allocation->state)) {
+    if (!optimum_center(&problem, &optimum->state)) {
         return false;
     }
-    const bool squares = allocation->rows.sum == ARMTOL_ROOT_SUM_SQUARES;
+    const bool squares = optimum->rows.sum == ARMTOL_ROOT_SUM_SQUARES;
     size_t place = 0;
-    for (size_t k = 0; k < allocation->rows.n_columns; k++) {
-        const double unit = allocation->rows.units[k];
-        allocation->tolerances[k] = 0;
+    for (size_t k = 0; k < optimum->rows.n_columns; k++) {
+        const double unit = optimum->rows.units[k];
+        optimum->tolerances[k] = 0;
         if (unit > 0) {
-            const double t = allocation->state.t[place++];
-            allocation->tolerances[k] = unit * (squares ? sqrt(t) : t);
+            const double t = optimum->state.t[place++];
+            optimum->tolerances[k] = unit * (squares ? sqrt(t) : t);
         }
     }
     return true;
 }
 
 /* What every row uses of its limit; returns the most. */
-static double find_uses(allocation *allocation)
+static double find_uses(optimum *optimum)
 {
     double most = 0;
-    for (size_t i = 0; i < allocation->rows.n_rows; i++) {
-        allocation->uses[i] = allocation_use(&allocation->rows, i, allocation->tolerances);
-        most = fmax(most, allocation->uses[i]);
+    for (size_t i = 0; i < optimum->rows.n_rows; i++) {
+        optimum->uses[i] = optimum_use(&optimum->rows, i, optimum->tolerances);
+        most = fmax(most, optimum->uses[i]);
     }
     return most;
 }
 
-static bool alike(const allocation_rows *rows, size_t one, size_t other)
+static bool alike(const optimum_rows *rows, size_t one, size_t other)
 {
     for (size_t k = 0; k < rows->n_columns; k++) {
-        if (fabs(allocation_element(rows, one, k) - allocation_element(rows, other, k)) > likeness) {
+        if (fabs(optimum_element(rows, one, k) - optimum_element(rows, other, k)) > likeness) {
             return false;
         }
     }
@@ -247,11 +247,11 @@ static bool alike(const allocation_rows *rows, size_t one, size_t other)
 }
 
 /* Let no row like this one, nor the row, count as violated in this round. */
-static void pass_over(allocation *allocation, size_t row)
+static void pass_over(optimum *optimum, size_t row)
 {
-    for (size_t i = 0; i < allocation->rows.n_rows; i++) {
-        if (allocation->uses[i] > 1 + slack && alike(&allocation->rows, i, row)) {
-            allocation->uses[i] = 0;
+    for (size_t i = 0; i < optimum->rows.n_rows; i++) {
+        if (optimum->uses[i] > 1 + slack && alike(&optimum->rows, i, row)) {
+            optimum->uses[i] = 0;
         }
     }
 }
@@ -266,45 +266,45 @@ static size_t most_used(const double uses[], size_t n_rows)
 }
 
 /* Take in the rows that are violated most, as many as a round may and there is room for; returns how many. */
-static size_t add_violated(allocation *allocation)
+static size_t add_violated(optimum *optimum)
 {
-    working_set *set = &allocation->set;
+    working_set *set = &optimum->set;
     size_t added = 0;
-    while (set->count < set->capacity && added < allocation->rows.n_bounded) {
-        const size_t row = most_used(allocation->uses, allocation->rows.n_rows);
-        if (!(allocation->uses[row] > 1 + slack)) {
+    while (set->count < set->capacity && added < optimum->rows.n_bounded) {
+        const size_t row = most_used(optimum->uses, optimum->rows.n_rows);
+        if (!(optimum->uses[row] > 1 + slack)) {
             break;
         }
-        add_row(allocation, row);
-        pass_over(allocation, row);
+        add_row(optimum, row);
+        pass_over(optimum, row);
         added++;
     }
     return added;
 }
 
 /* Rows of the set keep to their limits but for rounding. */
-static bool any_violated(allocation *allocation)
+static bool any_violated(optimum *optimum)
 {
-    for (size_t j = 0; j < allocation->set.count; j++) {
-        allocation->uses[(size_t)allocation->set.members[j]] = 0;
+    for (size_t j = 0; j < optimum->set.count; j++) {
+        optimum->uses[(size_t)optimum->set.members[j]] = 0;
     }
-    return allocation->uses[most_used(allocation->uses, allocation->rows.n_rows)] > 1 + slack;
+    return optimum->uses[most_used(optimum->uses, optimum->rows.n_rows)] > 1 + slack;
 }
 
 /* The optimum, and what the row that uses most uses of its limit: 1, but for rounding. */
-static bool solve(allocation *allocation, double *most)
+static bool solve(optimum *optimum, double *most)
 {
-    start_set(allocation);
+    start_set(optimum);
     for (int round = 0; round < MOST_ROUNDS; round++) {
-        if (!solve_set(allocation)) {
+        if (!solve_set(optimum)) {
             return false;
         }
-        *most = find_uses(allocation);
-        if (!any_violated(allocation)) {
+        *most = find_uses(optimum);
+        if (!any_violated(optimum)) {
             return true;
         }
-        drop_slack_rows(allocation);
-        if (add_violated(allocation) == 0) {
+        drop_slack_rows(optimum);
+        if (add_violated(optimum) == 0) {
             return false;
         }
     }
@@ -317,74 +317,74 @@ static bool solve(allocation *allocation, double *most)
  * Shrink the tolerances until every row keeps to its limit however its products are summed: n of them, added
  * in any order, are off by less than n + 2 roundings, and so is what we know of the row that uses most.
  */
-static void keep_to_limits(allocation *allocation, double most)
+static void keep_to_limits(optimum *optimum, double most)
 {
-    const allocation_rows *rows = &allocation->rows;
+    const optimum_rows *rows = &optimum->rows;
     const double used = rows->sum == ARMTOL_ROOT_SUM_SQUARES ? sqrt(most) : most;
     const double factor = (1 - (double)(rows->n_columns + 8) * DBL_EPSILON) / used;
     for (size_t k = 0; k < rows->n_columns; k++) {
-        allocation->tolerances[k] *= factor;
+        optimum->tolerances[k] *= factor;
     }
 }
 
-static bool all_in_range(const allocation *allocation)
+static bool all_in_range(const optimum *optimum)
 {
     bool in_range = true;
-    for (size_t k = 0; k < allocation->rows.n_columns; k++) {
-        const bool bounded = allocation->rows.units[k] > 0;
-        in_range = in_range && (!bounded || allocation_in_range(allocation->tolerances[k]));
+    for (size_t k = 0; k < optimum->rows.n_columns; k++) {
+        const bool bounded = optimum->rows.units[k] > 0;
+        in_range = in_range && (!bounded || optimum_in_range(optimum->tolerances[k]));
     }
     return in_range;
 }
 
-static void write_tolerances(const allocation *allocation, double tolerances[])
+static void write_tolerances(const optimum *optimum, double tolerances[])
 {
-    for (size_t k = 0; k < allocation->rows.n_columns; k++) {
-        tolerances[k] = allocation->rows.units[k] > 0 ? allocation->tolerances[k] : (double)INFINITY;
+    for (size_t k = 0; k < optimum->rows.n_columns; k++) {
+        tolerances[k] = optimum->rows.units[k] > 0 ? optimum->tolerances[k] : (double)INFINITY;
     }
 }
 
-static void write_multipliers(const allocation *allocation, double multipliers[])
+static void write_multipliers(const optimum *optimum, double multipliers[])
 {
-    const working_set *set = &allocation->set;
-    const center_state *state = &allocation->state;
+    const working_set *set = &optimum->set;
+    const center_state *state = &optimum->state;
     double sum = 0;
-    for (size_t i = 0; i < allocation->rows.n_rows; i++) {
+    for (size_t i = 0; i < optimum->rows.n_rows; i++) {
         multipliers[i] = 0;
     }
     for (size_t j = 0; j < set->count; j++) {
-        sum += allocation_binds(state, j) ? state->l[j] : 0;
+        sum += optimum_binds(state, j) ? state->l[j] : 0;
     }
     for (size_t j = 0; j < set->count; j++) {
-        multipliers[(size_t)set->members[j]] = allocation_binds(state, j) ? state->l[j] / sum : 0;
+        multipliers[(size_t)set->members[j]] = optimum_binds(state, j) ? state->l[j] / sum : 0;
     }
 }
 
-armtol_status armtol_allocate(armtol_sum sum, const double matrix[], size_t n_rows, size_t n_columns,
+armtol_status armtol_optimum(armtol_sum sum, const double matrix[], size_t n_rows, size_t n_columns,
                               const double limits[], const double weights[], double tolerances[],
                               double multipliers[], double workspace[])
 {
-    allocation allocation = {.rows = {sum, matrix, n_rows, n_columns, limits}};
-    const armtol_status status = check_input(&allocation.rows, weights);
+    optimum optimum = {.rows = {sum, matrix, n_rows, n_columns, limits}};
+    const armtol_status status = check_input(&optimum.rows, weights);
     if (status != ARMTOL_OK) {
         return status;
     }
-    divide_workspace(&allocation, workspace);
-    if (!allocation_find_units(&allocation.rows, allocation.tolerances)) {
+    divide_workspace(&optimum, workspace);
+    if (!optimum_find_units(&optimum.rows, optimum.tolerances)) {
         return ARMTOL_NOT_FINITE;
     }
-    share_weights(&allocation, weights);
-    if (allocation.rows.n_bounded > 0) {
+    share_weights(&optimum, weights);
+    if (optimum.rows.n_bounded > 0) {
         double most;
-        if (!solve(&allocation, &most)) {
+        if (!solve(&optimum, &most)) {
             return ARMTOL_NOT_SOLVED;
         }
-        keep_to_limits(&allocation, most);
-        if (!all_in_range(&allocation)) {
+        keep_to_limits(&optimum, most);
+        if (!all_in_range(&optimum)) {
             return ARMTOL_NOT_FINITE;
         }
     }
-    write_tolerances(&allocation, tolerances);
-    write_multipliers(&allocation, multipliers);
+    write_tolerances(&optimum, tolerances);
+    write_multipliers(&optimum, multipliers);
     return ARMTOL_OK;
 }

@@ -4,7 +4,7 @@
 
 #include <math.h>
 
-bool allocation_in_range(double value)
+bool optimum_in_range(double value)
 {
     return value >= 1e-280 && value <= 1e280;
 }
@@ -20,7 +20,7 @@ static void note_row(const double row[], size_t n, double limit, double bounded[
     }
 }
 
-bool allocation_find_units(allocation_rows *rows, double room[])
+bool optimum_find_units(optimum_rows *rows, double room[])
 {
     const size_t n = rows->n_columns;
     double *bounded = room, *most = rows->units;
@@ -37,24 +37,24 @@ bool allocation_find_units(allocation_rows *rows, double room[])
     for (size_t k = 0; k < n; k++) {
         rows->units[k] = bounded[k] > 0 ? 1 / most[k] : 0;
         rows->n_bounded += bounded[k] > 0;
-        in_range = in_range && (bounded[k] <= 0 || allocation_in_range(rows->units[k]));
+        in_range = in_range && (bounded[k] <= 0 || optimum_in_range(rows->units[k]));
     }
     return in_range;
 }
 
-double allocation_element(const allocation_rows *rows, size_t row, size_t column)
+double optimum_element(const optimum_rows *rows, size_t row, size_t column)
 {
     const double element = fabs(rows->matrix[row * rows->n_columns + column]);
     const double part = element * (1 / rows->limits[row]) * rows->units[column];
     return rows->sum == ARMTOL_ROOT_SUM_SQUARES ? part * part : part;
 }
 
-void allocation_pack(const allocation_rows *rows, size_t row, double packed[])
+void optimum_pack(const optimum_rows *rows, size_t row, double packed[])
 {
     size_t place = 0;
     for (size_t k = 0; k < rows->n_columns; k++) {
         if (rows->units[k] > 0) {
-            packed[place++] = allocation_element(rows, row, k);
+            packed[place++] = optimum_element(rows, row, k);
         }
     }
 }
@@ -78,7 +78,7 @@ static double sum_of_squares(const double row[], const double tolerances[], size
     return sum;
 }
 
-double allocation_use(const allocation_rows *rows, size_t row, const double tolerances[])
+double optimum_use(const optimum_rows *rows, size_t row, const double tolerances[])
 {
     const size_t n = rows->n_columns;
     const double *elements = rows->matrix + row * n;

@@ -7,8 +7,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* What armtol_allocate is given, and the units that make its numbers comparable. */
-typedef struct allocation_rows {
+/* What armtol_optimum is given, and the units that make its numbers comparable. */
+typedef struct optimum_rows {
     armtol_sum sum;
     const double *matrix;
     size_t n_rows;
@@ -16,30 +16,30 @@ typedef struct allocation_rows {
     const double *limits;
     double *units;    /* a column: the largest tolerance that it could have alone; 0 where no row bounds it */
     size_t n_bounded; /* columns with a unit */
-} allocation_rows;
+} optimum_rows;
 
 /*
  * Find the units, with room for n_columns numbers. False where one is too large or too small to compute with.
  */
-bool allocation_find_units(allocation_rows *rows, double room[]);
+bool optimum_find_units(optimum_rows *rows, double room[]);
 
 /* Whether a number that is not infinite is large and small enough to compute with. */
-bool allocation_in_range(double value);
+bool optimum_in_range(double value);
 
 /*
  * An element of B, the matrix of the scaled problem B t <= 1: |matrix(i,k)| units[k] / limits[i], or with
  * ARMTOL_ROOT_SUM_SQUARES the square of that, its unknowns being the squares of tolerances then. At most 1,
  * but for rounding; 0 in a free row.
  */
-double allocation_element(const allocation_rows *rows, size_t row, size_t column);
+double optimum_element(const optimum_rows *rows, size_t row, size_t column);
 
 /* A row of B, the columns that are bounded. */
-void allocation_pack(const allocation_rows *rows, size_t row, double packed[]);
+void optimum_pack(const optimum_rows *rows, size_t row, double packed[]);
 
 /*
  * What part of its limit, or with ARMTOL_ROOT_SUM_SQUARES of the square, a row's error is; 0 for a free row,
  * infinite where it overflows. Tolerances are 0 where they are infinite.
  */
-double allocation_use(const allocation_rows *rows, size_t row, const double tolerances[]);
+double optimum_use(const optimum_rows *rows, size_t row, const double tolerances[]);
 
 #endif

@@ -45,16 +45,16 @@ void tearDown(void)
 /* ---- solving and checking ---- */
 
 /* Exactly as much to work in as asked for, full of what would spoil a result that depended on it. */
-static armtol_status allocate(const problem *problem, solution *solution)
+static armtol_status find_optimum(const problem *problem, solution *solution)
 {
-    const size_t size = armtol_allocation_workspace(problem->n_rows, problem->n_columns);
+    const size_t size = armtol_optimum_workspace(problem->n_rows, problem->n_columns);
     free(workspace);
     workspace = malloc(size > 0 ? size * sizeof *workspace : 1);
     TEST_ASSERT_NOT_NULL(workspace);
     for (size_t i = 0; i < size; i++) {
         workspace[i] = NAN;
     }
-    return armtol_allocate(problem->sum, problem->matrix, problem->n_rows, problem->n_columns,
+    return armtol_optimum(problem->sum, problem->matrix, problem->n_rows, problem->n_columns,
                            problem->limits, problem->weights, solution->tolerances, solution->multipliers,
                            workspace);
 }
@@ -170,7 +170,7 @@ static void solve(const problem *problem, solution *solution, const char *what)
     for (size_t k = 0; k < problem->n_columns; k++) {
         solution->tolerances[k] = NAN; /* it is only written */
     }
-    TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, allocate(problem, solution), what);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, find_optimum(problem, solution), what);
     check_optimal(problem, solution, what);
 }
 
@@ -405,7 +405,7 @@ static void test_rows_that_bound_nothing_change_nothing(void)
 
 static void check_all_infinite(size_t n_rows, const char *what)
 {
-    TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, allocate(&given, &found), what);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, find_optimum(&given, &found), what);
     for (size_t k = 0; k < given.n_columns; k++) {
         TEST_ASSERT_TRUE_MESSAGE(isinf(found.tolerances[k]) && found.tolerances[k] > 0, what);
     }
@@ -600,11 +600,11 @@ static void test_huge_and_tiny_numbers_are_no_trouble(void)
             for (size_t i = 0; i < 4; i++) {
                 given.matrix[i] *= pow(10, exponent);
             }
-            TEST_ASSERT_EQUAL_INT(ARMTOL_OK, allocate(&given, &other));
+            TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_optimum(&given, &other));
             check_within(1e-12, found.tolerances[0], other.tolerances[0] * pow(10, exponent), "elements");
             given.limits[0] = given.limits[1] = pow(10, exponent);
             given.weights[0] = given.weights[1] = 1.7e308;
-            TEST_ASSERT_EQUAL_INT(ARMTOL_OK, allocate(&given, &other));
+            TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_optimum(&given, &other));
             check_within(1e-12, found.tolerances[0], other.tolerances[0], "elements and limits");
         }
     }
@@ -617,7 +617,7 @@ static void test_the_workspace_goes_with_the_lesser_number(void)
     for (size_t i = 0; i < sizeof columns / sizeof columns[0]; i++) {
         for (size_t j = 0; j < sizeof rows / sizeof rows[0]; j++) {
             const size_t most = 3 * columns[i] + 24, c = rows[j] < most ? rows[j] : most;
-            const double size = (double)armtol_allocation_workspace(rows[j], columns[i]);
+            const double size = (double)armtol_optimum_workspace(rows[j], columns[i]);
             const double told = (double)(rows[j] + c * (c + columns[i]));
             TEST_ASSERT_TRUE(size >= told && size <= told + 10 * (double)(c + columns[i]));
         }
@@ -628,12 +628,12 @@ static void test_what_was_in_the_workspace_does_not_matter(void)
 {
     random_source source = {7};
     draw(&source, &given, MOST_ROWS, MOST_COLUMNS);
-    const size_t size = armtol_allocation_workspace(given.n_rows, given.n_columns);
+    const size_t size = armtol_optimum_workspace(given.n_rows, given.n_columns);
     solve(&given, &found, "nan in the workspace");
     for (size_t i = 0; i < size; i++) {
         workspace[i] = 0.3;
     }
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_allocate(given.sum, given.matrix, given.n_rows, given.n_columns,
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_optimum(given.sum, given.matrix, given.n_rows, given.n_columns,
                                                      given.limits, given.weights, other.tolerances,
                                                      other.multipliers, workspace));
     check_tolerances(&given, &found, &other, 0, "numbers in the workspace");
@@ -716,7 +716,7 @@ static void check_refused(armtol_status expected, const char *what)
     for (size_t i = 0; i < given.n_rows; i++) {
         found.multipliers[i] = 42;
     }
-    TEST_ASSERT_EQUAL_INT_MESSAGE(expected, allocate(&given, &found), what);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(expected, find_optimum(&given, &found), what);
     for (size_t k = 0; k < given.n_columns; k++) {
         check_same(42, found.tolerances[k], "%s: tolerance %zu", what, k);
     }

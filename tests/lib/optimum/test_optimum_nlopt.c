@@ -200,12 +200,12 @@ static void solve_with_nlopt(problem *problem, double tolerances[])
 static void compare(problem *problem, const char *what)
 {
     double expected[MOST_COLUMNS], actual[MOST_COLUMNS], multipliers[MOST_ROWS];
-    const size_t size = armtol_allocation_workspace(problem->n_rows, problem->n_columns);
+    const size_t size = armtol_optimum_workspace(problem->n_rows, problem->n_columns);
     double *workspace = malloc(size * sizeof *workspace);
     TEST_ASSERT_NOT_NULL(workspace);
     for (int sum = 0; sum < ARMTOL_SUM_COUNT; sum++) {
         problem->sum = (armtol_sum)sum;
-        const armtol_status status = armtol_allocate(problem->sum, problem->matrix, problem->n_rows,
+        const armtol_status status = armtol_optimum(problem->sum, problem->matrix, problem->n_rows,
                                                      problem->n_columns, problem->limits, problem->weights,
                                                      actual, multipliers, workspace);
         TEST_ASSERT_EQUAL_INT_MESSAGE(ARMTOL_OK, status, what);
