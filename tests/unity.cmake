@@ -46,7 +46,7 @@ function(unity_from_upstream source_var why_var)
   if(NOT why)
     include(FetchContent)
     FetchContent_Declare(unity_upstream GIT_REPOSITORY ${ARMTOL_UNITY_REPOSITORY} GIT_TAG ${unity_commit}
-      SOURCE_SUBDIR nothing) # its own build would install Unity with the project
+      SOURCE_DIR ${unity_folder}/upstream SOURCE_SUBDIR nothing) # its own build would install Unity with the project
     FetchContent_MakeAvailable(unity_upstream)
     set(${source_var} ${unity_upstream_SOURCE_DIR}/src PARENT_SCOPE)
   endif()

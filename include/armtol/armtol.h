@@ -1,44 +1,55 @@
 #ifndef ARMTOL_ARMTOL_H
 #define ARMTOL_ARMTOL_H
 
-/* Everything. conventions.h first: the frames, units and storage that all the others mean. */
+/* Everything, in groups. The equations are those of Hahn 1987. */
 
+/* What all the others mean: frames, units, storage; what can go wrong; where the programs are not what the report says. */
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
+#include "armtol/interface.h"
 #include "armtol/status.h"
 
-#include "armtol/bounds.h"
-#include "armtol/column_order.h"
-#include "armtol/error_matrix.h"
+/* Links and chains of them, Eqs (4.1) and (4.2); a small motion seen from another frame, Eq. (4.8). */
 #include "armtol/link.h"
-#include "armtol/link_jacobian.h"
 #include "armtol/link_transform.h"
-#include "armtol/machining.h"
+#include "armtol/transform.h"
 #include "armtol/twist_transform.h"
 
+/* A, by which errors of the parameters move the tool: Eqs (4.9) and (4.11); lengths apart from angles, Eq. (4.23). */
+#include "armtol/column_order.h"
+#include "armtol/error_matrix.h"
+#include "armtol/link_jacobian.h"
+
+/* The bounds, Eqs (4.25) to (4.31), and what they leave a shop, Eq. (4.32). */
+#include "armtol/bounds.h"
+#include "armtol/machining.h"
+#include "armtol/sphere.h"
+
+/* Arms: built in, or from axes in space; what the inverse kinematics of 1987 is made of. */
 #include "armtol/arm.h"
 #include "armtol/axes.h"
-#include "armtol/corners.h"
+#include "armtol/craig.h"
+#include "armtol/euler.h"
+#include "armtol/robots.h"
+#include "armtol/solve.h"
+
+/* The largest tolerances, which the report asks for and has a sphere in their place. */
 #include "armtol/optimum.h"
+
+/* The tool: any point of it, A and its bounds fast, the exact error and what A leaves out of it. */
+#include "armtol/corners.h"
 #include "armtol/poses.h"
 #include "armtol/sampler.h"
-#include "armtol/sphere.h"
 #include "armtol/tool_error.h"
 #include "armtol/tool_matrix.h"
 #include "armtol/tool_point.h"
 
+/* All of it at once: what armtol answers to a question, and how the answer is tried on arms drawn at random. */
 #include "armtol/answer.h"
 #include "armtol/budget.h"
 #include "armtol/question.h"
 #include "armtol/share_interval.h"
 #include "armtol/verification.h"
-
-#include "armtol/craig.h"
-#include "armtol/euler.h"
-#include "armtol/interface.h"
-#include "armtol/robots.h"
-#include "armtol/solve.h"
-#include "armtol/transform.h"
 
 ARMTOL_INTERFACE_BEGIN
 

@@ -10,12 +10,12 @@
 #include <string.h>
 
 /*
- * Arithmetic on LANES poses or arms at once, a lane each. A source file says how many that is before it includes this one:
- * 1, or 2, 4 or 8 where there are vectors. A real is then a double or a vector of doubles.
+ * Arithmetic on LANES poses or arms at once, a lane each. A source file says how many that is before it includes this
+ * one: 1, or 2, 4 or 8 where there are vectors. A real is then a double or a vector of doubles.
  *
- * What is written with it adds, multiplies, divides and takes roots, each rounded once by IEEE 754, in the same order for
- * any number of lanes: so all of them, and all machines, give the same bits. Vectors go from routine to routine by address:
- * by value they would be passed differently on machines of different width.
+ * What is written with it adds, multiplies, divides and takes roots, each rounded once by IEEE 754, in the same order
+ * for any number of lanes: so all of them, and all machines, give the same bits. Vectors go from routine to routine by
+ * address: by value they would be passed differently on machines of different width.
  */
 
 /* The poses of a block, and the most that a machine does at once. */

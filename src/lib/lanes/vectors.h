@@ -4,8 +4,8 @@
 #include <float.h>
 
 /*
- * Whether the compiler has vectors, and whether it has those of x86-64, whose width is known when the program runs. What
- * computes in long double (x87, 68881) has none, nor may a long double be put into one.
+ * Whether the compiler has vectors, and whether it has those of x86-64, whose width is known when the program runs.
+ * What computes in long double (x87, 68881) has none, nor may a long double be put into one.
  */
 #if defined(__GNUC__) && (FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1)
 #define VECTORS 1

@@ -5,9 +5,9 @@
 #include "lib/tool/pose_link.h"
 
 /*
- * A from the axes of the links (lanes.h). A unit error of an angle turns all behind it about its axis, which moves the tool
- * point by axis x (tool point - point of the axis); one of a length moves it along the axis. The axes are z of the frame
- * before the link for theta and d, x turned by theta for a and alpha, y behind the link for beta.
+ * A from the axes of the links (lanes.h). A unit error of an angle turns all behind it about its axis, which moves the
+ * tool point by axis x (tool point - point of the axis); one of a length moves it along the axis. The axes are z of the
+ * frame before the link for theta and d, x turned by theta for a and alpha, y behind the link for beta.
  *
  * The tool point is known when all links are walked. Until then an angle's column keeps the point of its axis where the
  * motion of the tool point will be, so that no other memory is needed.
@@ -60,7 +60,8 @@ LANE_INLINE void write_column(const matrix_view *matrix, size_t column, const tr
 }
 
 /* Move the frame across the link, and write the link's columns as far as they can be known. */
-LANE_INLINE void walk_link(const armtol_pose_link *link, const setting *setting, const matrix_view *matrix, frame *frame)
+LANE_INLINE void walk_link(const armtol_pose_link *link, const setting *setting, const matrix_view *matrix,
+                           frame *frame)
 {
     const real zero = {0}, a = zero + link->a;
     const triple none = {zero, zero, zero};

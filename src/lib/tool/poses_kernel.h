@@ -90,21 +90,25 @@ LANE_INLINE void some_poses(const armtol_poses *poses, const double *const q[LAN
     finish_poses(poses, &frame, matrix, bounds);
 }
 
+LANE_INLINE size_t least(size_t one, size_t other)
+{
+    return one < other ? one : other;
+}
+
 LANE_INLINE void pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                              armtol_bounds bounds[])
 {
     for (size_t first = 0; first < n_poses; first += BLOCK) {
-        const size_t count = n_poses - first < BLOCK ? n_poses - first : BLOCK;
         const double *poses_q[BLOCK];
         armtol_bounds some[BLOCK];
         for (size_t l = 0; l < BLOCK; l++) {
-            poses_q[l] = q + (first + (l < count ? l : count - 1)) * poses->n_joints;
+            poses_q[l] = q + least(first + l, n_poses - 1) * poses->n_joints;
         }
         for (int l = 0; l < BLOCK; l += LANES) {
             const matrix_view matrix = {blocks + first * 6 * poses->n_columns + l, BLOCK * poses->n_columns, BLOCK};
             some_poses(poses, poses_q + l, &matrix, some + l);
         }
-        memcpy(bounds + first, some, count * sizeof some[0]);
+        memcpy(bounds + first, some, least(BLOCK, n_poses - first) * sizeof some[0]);
     }
 }
 
