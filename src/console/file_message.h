@@ -1,6 +1,7 @@
 #ifndef ARMTOL_CONSOLE_FILE_MESSAGE_H
 #define ARMTOL_CONSOLE_FILE_MESSAGE_H
 
+#include <stdarg.h>
 #include <stddef.h>
 
 /* A place in a file: line and column from 1, the column in characters. */
@@ -14,6 +15,11 @@ typedef struct file_place {
 void file_message(const file_place *place, const char *format, ...)
 #ifdef __GNUC__
     __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+void file_message_list(const file_place *place, const char *format, va_list arguments)
+#ifdef __GNUC__
+    __attribute__((format(printf, 2, 0)))
 #endif
     ;
 

@@ -1,6 +1,6 @@
 #include "console/table.h"
 
-#include "console/exit_code.h"
+#include "console/list_room.h"
 #include "console/message.h"
 
 #include <stdarg.h>
@@ -23,7 +23,7 @@ bool table_format_parse(const char *name, table_format *format)
 void table_start(table *table, size_t n_columns)
 {
     table->n_columns = n_columns < TABLE_COLUMNS ? n_columns : TABLE_COLUMNS;
-    table->n_rows = 0;
+    table->n_rows = table->room = 0;
     table->rows = NULL;
 }
 
@@ -35,12 +35,11 @@ void table_free(table *table)
 
 table_row *table_add(table *table, const char *first_cell)
 {
-    table_row *grown = realloc(table->rows, (table->n_rows + 1) * sizeof *grown);
-    if (grown == NULL) {
-        out_of_memory();
+    table_row *rows = list_room(table->rows, table->n_rows, &table->room, sizeof *rows);
+    if (rows == NULL) {
         return NULL;
     }
-    table->rows = grown;
+    table->rows = rows;
     table_row *row = &table->rows[table->n_rows++];
     memset(row, 0, sizeof *row);
     table_set(row, 0, "%s", first_cell);

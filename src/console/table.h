@@ -20,7 +20,7 @@ typedef struct table_row {
 
 typedef struct table {
     size_t n_columns;
-    size_t n_rows;
+    size_t n_rows, room;
     table_row *rows; /* the first is the head */
 } table;
 

@@ -1,7 +1,10 @@
 #include "lab/published.h"
 
 #include "console/exit_code.h"
+#include "console/input_file.h"
+#include "console/list_room.h"
 #include "console/message.h"
+#include "console/whole_number.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -47,13 +50,6 @@ static bool copy(char *to, size_t size, const char *from)
     return true;
 }
 
-/* One to three digits; 0 for anything else. */
-static int whole_number(const char *text)
-{
-    const size_t length = strlen(text);
-    return length <= 3 && strspn(text, "0123456789") == length ? atoi(text) : 0;
-}
-
 /* Printed once, for all cases of all programs. */
 static bool is_common(const published_number *number)
 {
@@ -66,26 +62,24 @@ static bool parse(char *line, published_number *number)
     if (split(line, fields) != FIELDS) {
         return false;
     }
-    number->case_number = strcmp(fields[1], "*") == 0 ? ALL_CASES : whole_number(fields[1]);
+    uint64_t case_number = 0;
+    const bool common = strcmp(fields[1], "*") == 0, numbered = whole_number_of(fields[1], 1, 999, &case_number);
+    number->case_number = common ? ALL_CASES : (int)case_number;
     number->without_sign = strcmp(fields[5], "unsigned") == 0;
-    return copy(number->program, sizeof number->program, fields[0]) && number->case_number != 0 &&
-           (strcmp(fields[0], "*") == 0) == is_common(number) &&
+    return copy(number->program, sizeof number->program, fields[0]) && (common || numbered) &&
+           (strcmp(fields[0], "*") == 0) == common &&
            role_of(fields[2], &number->role) && copy(number->quantity, sizeof number->quantity, fields[3]) &&
            copy(number->value, sizeof number->value, fields[4]);
 }
 
-/* The list is doubled when full, which it is at 0 and at each power of 2. */
 static bool append(published_list *list, const published_number *number)
 {
-    if ((list->count & (list->count - 1)) == 0) {
-        published_number *grown = realloc(list->numbers, (list->count == 0 ? 1 : 2 * list->count) * sizeof *grown);
-        if (grown == NULL) {
-            return false;
-        }
-        list->numbers = grown;
+    published_number *numbers = list_room(list->numbers, list->count, &list->room, sizeof *numbers);
+    if (numbers != NULL) {
+        list->numbers = numbers;
+        list->numbers[list->count++] = *number;
     }
-    list->numbers[list->count++] = *number;
-    return true;
+    return numbers != NULL;
 }
 
 static bool read_all(FILE *stream, const char *path, published_list *list)
@@ -102,7 +96,6 @@ static bool read_all(FILE *stream, const char *path, published_list *list)
             return false;
         }
         if (!append(list, &number)) {
-            out_of_memory();
             return false;
         }
     }
@@ -127,7 +120,7 @@ static bool append_common(const published_list *all, const published_number *of_
 /* Put the common numbers into each case in place of where they stand. */
 static bool spread_common(published_list *list)
 {
-    published_list spread = {NULL, 0};
+    published_list spread = {.numbers = NULL};
     bool fine = true;
     for (size_t i = 0; i < list->count && fine; i++) {
         const published_number *number = &list->numbers[i];
@@ -138,19 +131,14 @@ static bool spread_common(published_list *list)
     }
     published_free(list);
     *list = spread;
-    if (!fine) {
-        out_of_memory();
-    }
     return fine;
 }
 
 bool published_read(const char *path, published_list *list)
 {
-    *list = (published_list){NULL, 0};
-    FILE *stream = fopen(path, "r");
+    *list = (published_list){.numbers = NULL};
+    FILE *stream = input_file_open("", path, "");
     if (stream == NULL) {
-        exit_code_note_error(errno);
-        message("%s: %s", path, strerror(errno));
         return false;
     }
     errno = 0;
@@ -172,7 +160,7 @@ bool published_read(const char *path, published_list *list)
 void published_free(published_list *list)
 {
     free(list->numbers);
-    *list = (published_list){NULL, 0};
+    *list = (published_list){.numbers = NULL};
 }
 
 bool published_same_case(const published_number *one, const published_number *other)

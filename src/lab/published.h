@@ -19,7 +19,7 @@ typedef struct published_number {
 
 typedef struct published_list {
     published_number *numbers;
-    size_t count;
+    size_t count, room;
 } published_list;
 
 /*

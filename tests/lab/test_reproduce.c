@@ -507,6 +507,20 @@ static void test_wrong_usage(void)
     }
 }
 
+static void test_a_wrong_option_is_named(void)
+{
+    static const char *const calls[][3] = {{"--loud", "unknown option \"--loud\""},
+                                           {"--format", "an argument is missing after \"--format\""},
+                                           {"--walk=3", "\"--walk=3\""}};
+    for (size_t i = 0; i < sizeof calls / sizeof calls[0]; i++) {
+        const char *const arguments[] = {calls[i][0], NULL};
+        process process;
+        run_reproduce(arguments, &process);
+        process_check_status(&process, 2, calls[i][0]);
+        check_says(&process.errors, calls[i][1]);
+    }
+}
+
 static void test_table_that_cannot_be_printed(void)
 {
     const string out = folder_new();
@@ -543,6 +557,7 @@ int main(void)
     RUN_TEST(test_portability_is_of_66_numbers);
     RUN_TEST(test_formats_of_tables);
     RUN_TEST(test_wrong_usage);
+    RUN_TEST(test_a_wrong_option_is_named);
     RUN_TEST(test_table_that_cannot_be_printed);
     return UNITY_END();
 }

@@ -2,11 +2,10 @@
 
 #include "console/message.h"
 #include "console/number.h"
+#include "console/word.h"
 
 #include <math.h>
 #include <string.h>
-
-enum { WORD = 64 };
 
 /* Commas and blanks set numbers apart, one comma at a time: "1,,2" lacks a number. */
 static const char separators[] = " \t\n";
@@ -20,15 +19,11 @@ static bool is_free(const char *word)
 static bool next_word(const char **at, char word[WORD], bool *more)
 {
     *at += strspn(*at, separators);
-    const size_t length = strcspn(*at, " \t\n,");
-    const size_t kept = length < WORD ? length : WORD - 1;
-    memcpy(word, *at, kept);
-    word[kept] = '\0';
-    *at += length;
+    const bool fits = word_take(at, " \t\n,", word);
     *at += strspn(*at, separators);
     *more = **at != '\0';
     *at += **at == ',';
-    return kept == length;
+    return fits;
 }
 
 static void wrong_number(const char *option, const char *word, number_fault fault, bool may_be_free)

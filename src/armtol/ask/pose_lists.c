@@ -1,11 +1,10 @@
 #include "armtol/ask/lists.h"
 
 #include "armtol/tables/cells.h"
-#include "console/exit_code.h"
 #include "console/file_message.h"
+#include "console/list_room.h"
 #include "console/message.h"
 
-#include <stdint.h>
 #include <stdlib.h>
 
 enum { MOST_POSES = 1000000 }; /* a pipe may have no end */
@@ -14,25 +13,16 @@ enum { MOST_POSES = 1000000 }; /* a pipe may have no end */
 typedef struct pose_list {
     size_t n_joints;
     size_t n;
-    size_t capacity; /* poses */
+    size_t room; /* poses */
     double *values;
 } pose_list;
 
 static bool grow(pose_list *list)
 {
-    if (list->n < list->capacity) {
-        return true;
-    }
-    const size_t capacity = list->capacity > 0 ? 2 * list->capacity : 16;
-    const bool countable = capacity <= SIZE_MAX / sizeof *list->values / (list->n_joints + 1);
-    double *grown = countable ? realloc(list->values, capacity * list->n_joints * sizeof *grown) : NULL;
-    if (grown == NULL) {
-        out_of_memory();
-        return false;
-    }
-    list->values = grown;
-    list->capacity = capacity;
-    return true;
+    const size_t size = (list->n_joints > 0 ? list->n_joints : 1) * sizeof *list->values;
+    double *values = list_room(list->values, list->n, &list->room, size);
+    list->values = values != NULL ? values : list->values;
+    return values != NULL;
 }
 
 static bool check_count(const cell_row *row, size_t n_joints)

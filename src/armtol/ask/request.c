@@ -4,6 +4,7 @@
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
 #include "console/exit_code.h"
+#include "console/input_file.h"
 #include "console/message.h"
 #include "console/number.h"
 
@@ -71,10 +72,8 @@ static bool take_pose(const units *units, const armtol_arm *arm, size_t pose, do
 
 static bool read_poses(const char *path, size_t n_joints, double **poses, size_t *n_poses)
 {
-    FILE *stream = fopen(path, "rb");
+    FILE *stream = input_file_open("--poses: ", path, "");
     if (stream == NULL) {
-        exit_code_note_error(errno);
-        message("--poses: %s: %s", path, strerror(errno));
         return false;
     }
     const bool fine = poses_read(stream, path, n_joints, poses, n_poses);
@@ -204,10 +203,8 @@ static bool read_tolerances(request *request)
                                    .all = true,
                                    .length_unit = units_name(&request->units, true),
                                    .angle_unit = units_name(&request->units, false)};
-    FILE *stream = fopen(path, "rb");
+    FILE *stream = input_file_open("--tolerances: ", path, "");
     if (stream == NULL) {
-        exit_code_note_error(errno);
-        message("--tolerances: %s: %s", path, strerror(errno));
         return false;
     }
     const bool fine = parameters_read(stream, path, &table, true, request->tolerances);

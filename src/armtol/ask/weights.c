@@ -3,14 +3,14 @@
 #include "armtol/ask/lists.h"
 #include "armtol/ask/number_list.h"
 #include "armtol/budget.h"
-#include "console/exit_code.h"
+#include "console/input_file.h"
 #include "console/message.h"
+#include "console/word.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { WORD = 64, ANY_LINK = -1, LINK_DIGITS = 6 };
+enum { ANY_LINK = -1, LINK_DIGITS = 6 };
 
 /* What is weighted: the columns of A of an arm. */
 typedef struct weighted {
@@ -116,15 +116,12 @@ static bool set(const char *name, double weight, const weighted *weighted)
     return any;
 }
 
-/* One NAME=NUMBER. */
-static bool take_item(const char *item, size_t length, const weighted *weighted)
+/* NAME=NUMBER, up to a comma. */
+static bool take_item(const char **at, const weighted *weighted)
 {
     char word[WORD];
     double weight;
-    const size_t kept = length < WORD ? length : WORD - 1;
-    memcpy(word, item, kept);
-    word[kept] = '\0';
-    if (kept < length) {
+    if (!word_take(at, ",", word)) {
         message("--weights: %s is too long", message_quote(word, &(quoted){""}));
         return false;
     }
@@ -139,16 +136,11 @@ static bool take_item(const char *item, size_t length, const weighted *weighted)
 
 static bool take_list(const char *text, const weighted *weighted)
 {
-    for (;;) {
-        const size_t length = strcspn(text, ",");
-        if (!take_item(text, length, weighted)) {
-            return false;
-        }
-        if (text[length] == '\0') {
-            return true;
-        }
-        text += length + 1;
+    bool fine = take_item(&text, weighted);
+    while (fine && *text++ == ',') {
+        fine = take_item(&text, weighted);
     }
+    return fine;
 }
 
 static bool take_table(const char *path, const weighted *weighted)
@@ -157,10 +149,8 @@ static bool take_table(const char *path, const weighted *weighted)
                                    .columns = weighted->columns,
                                    .n_columns = weighted->n_columns,
                                    .value = "weight"};
-    FILE *stream = fopen(path, "rb");
+    FILE *stream = input_file_open("--weights: ", path, "; expected NAME=NUMBER,... or a file");
     if (stream == NULL) {
-        exit_code_note_error(errno);
-        message("--weights: %s: %s; expected NAME=NUMBER,... or a file", path, strerror(errno));
         return false;
     }
     const bool fine = parameters_read(stream, path, &table, false, weighted->weights);

@@ -6,6 +6,7 @@
 #include "armtol/tables/cells.h"
 #include "console/exit_code.h"
 #include "console/file_message.h"
+#include "console/list_room.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -22,7 +23,7 @@ typedef struct arm_reader {
     arm_head head;
     arm_columns columns;
     size_t n_links;
-    size_t capacity;
+    size_t link_room, drive_room;
     armtol_link *links;
     armtol_drive *drives;
 } arm_reader;
@@ -81,20 +82,14 @@ static bool read_head(arm_reader *reader)
 /* Room for one link more. */
 static bool grow(arm_reader *reader)
 {
-    if (reader->n_links < reader->capacity) {
-        return true;
-    }
-    const size_t capacity = reader->capacity > 0 ? 2 * reader->capacity : 8;
-    armtol_link *links = realloc(reader->links, capacity * sizeof *links);
-    reader->links = links != NULL ? links : reader->links;
-    armtol_drive *drives = realloc(reader->drives, capacity * sizeof *drives);
-    reader->drives = drives != NULL ? drives : reader->drives;
-    if (links == NULL || drives == NULL) {
-        out_of_memory();
+    armtol_link *links = list_room(reader->links, reader->n_links, &reader->link_room, sizeof *links);
+    if (links == NULL) {
         return false;
     }
-    reader->capacity = capacity;
-    return true;
+    reader->links = links;
+    armtol_drive *drives = list_room(reader->drives, reader->n_links, &reader->drive_room, sizeof *drives);
+    reader->drives = drives != NULL ? drives : reader->drives;
+    return drives != NULL;
 }
 
 static bool take_row(arm_reader *reader)

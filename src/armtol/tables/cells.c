@@ -1,8 +1,7 @@
 #include "armtol/tables/cells.h"
 
-#include "console/exit_code.h"
 #include "console/file_message.h"
-#include "console/message.h"
+#include "console/list_room.h"
 
 #include <stdarg.h>
 #include <stdio.h>
@@ -87,18 +86,12 @@ static void skip_blanks(cursor *cursor)
 
 static bool append(cell_row *row, const cell *cell)
 {
-    if (row->n == row->capacity) {
-        const size_t capacity = row->capacity > 0 ? 2 * row->capacity : 16;
-        struct cell *grown = realloc(row->cells, capacity * sizeof *grown);
-        if (grown == NULL) {
-            out_of_memory();
-            return false;
-        }
-        row->cells = grown;
-        row->capacity = capacity;
+    struct cell *cells = list_room(row->cells, row->n, &row->room, sizeof *cells);
+    if (cells != NULL) {
+        row->cells = cells;
+        row->cells[row->n++] = *cell;
     }
-    row->cells[row->n++] = *cell;
-    return true;
+    return cells != NULL;
 }
 
 static void wrong(const cursor *cursor, size_t column, const char *fault)
@@ -227,13 +220,11 @@ line_result cells_next(cell_row *row, text_lines *lines, char separator)
 
 void cells_message(const cell_row *row, size_t index, const char *format, ...)
 {
-    char text[1000];
+    const file_place place = {row->path, row->line, index < row->n ? row->cells[index].column : row->end_column};
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(text, sizeof text, format, arguments);
+    file_message_list(&place, format, arguments);
     va_end(arguments);
-    const file_place place = {row->path, row->line, index < row->n ? row->cells[index].column : row->end_column};
-    file_message(&place, "%s", text);
 }
 
 bool cell_is(const cell *cell, const char *word)

@@ -30,7 +30,7 @@ typedef struct cell_row {
     size_t end_column; /* where a cell more would begin */
     size_t n;
     cell *cells;
-    size_t capacity;
+    size_t room;
 } cell_row;
 
 void cells_start(cell_row *row);

@@ -2,6 +2,7 @@
 
 #include "console/exit_code.h"
 #include "console/file_message.h"
+#include "console/list_room.h"
 #include "console/message.h"
 
 #include <errno.h>
@@ -33,18 +34,12 @@ size_t text_characters(const char *text, const char *end)
 
 static bool append(text_lines *lines, char c)
 {
-    if (lines->length == lines->capacity) {
-        const size_t capacity = lines->capacity > 0 ? 2 * lines->capacity : 256;
-        char *grown = realloc(lines->text, capacity);
-        if (grown == NULL) {
-            out_of_memory();
-            return false;
-        }
-        lines->text = grown;
-        lines->capacity = capacity;
+    char *text = list_room(lines->text, lines->length, &lines->room, 1);
+    if (text != NULL) {
+        lines->text = text;
+        lines->text[lines->length++] = c;
     }
-    lines->text[lines->length++] = c;
-    return true;
+    return text != NULL;
 }
 
 static file_place place_at(const text_lines *lines, size_t offset)

@@ -18,7 +18,7 @@ typedef struct text_lines {
     size_t number;    /* of the line at hand, from 1; 0 before the first */
     char *text;       /* the line at hand, without its end; the caller may cut it up */
     size_t length;
-    size_t capacity;
+    size_t room;
 } text_lines;
 
 /* What there is to have. */

@@ -1,6 +1,7 @@
 #include "armtol/urdf/tree.h"
 
 #include "console/exit_code.h"
+#include "console/list_room.h"
 #include "console/message.h"
 
 #include <math.h>
@@ -46,25 +47,11 @@ bool urdf_tree_keep(char **kept, const char *text)
     return *kept != NULL || no_memory();
 }
 
-/* Room for one more item, twice the old where it is short; NULL where there is none to be had. */
-static void *with_room(void *items, size_t n, size_t *room, size_t size)
-{
-    if (n < *room) {
-        return items;
-    }
-    const size_t more = *room > 0 ? *room * 2 : 16;
-    void *const moved = more <= SIZE_MAX / 2 / size ? realloc(items, more * size) : NULL;
-    if (moved != NULL) {
-        *room = more;
-    }
-    return moved;
-}
-
 bool urdf_tree_add_link(urdf_tree *tree, const char *name, const file_place *place)
 {
-    urdf_link *const links = with_room(tree->links, tree->n_links, &tree->link_room, sizeof *links);
+    urdf_link *const links = list_room(tree->links, tree->n_links, &tree->link_room, sizeof *links);
     if (links == NULL) {
-        return no_memory();
+        return false;
     }
     tree->links = links;
     urdf_link *const link = &links[tree->n_links++];
@@ -74,9 +61,9 @@ bool urdf_tree_add_link(urdf_tree *tree, const char *name, const file_place *pla
 
 bool urdf_tree_add_joint(urdf_tree *tree, const char *name, const file_place *place)
 {
-    urdf_joint *const joints = with_room(tree->joints, tree->n_joints, &tree->joint_room, sizeof *joints);
+    urdf_joint *const joints = list_room(tree->joints, tree->n_joints, &tree->joint_room, sizeof *joints);
     if (joints == NULL) {
-        return no_memory();
+        return false;
     }
     tree->joints = joints;
     urdf_joint *const joint = &joints[tree->n_joints++];

@@ -1,6 +1,7 @@
 /* reproduce: run intella and adpta on the paper's cases and hold what comes out against the paper. */
 
 #include "console/exit_code.h"
+#include "console/flags.h"
 #include "console/message.h"
 #include "console/rounding.h"
 #include "lab/published.h"
@@ -8,7 +9,6 @@
 #include "lab/reproduce/measure.h"
 #include "lab/reproduce/run_case.h"
 
-#include <getopt.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -57,8 +57,9 @@ static const struct option long_options[] = {
     {NULL, 0, NULL, 0},
 };
 
-static bool apply(int option, arguments *arguments)
+static bool apply(int option, const char *argument, void *context)
 {
+    arguments *arguments = context;
     switch (option) {
     case OPTION_QUIET:
         arguments->quiet = true;
@@ -70,28 +71,21 @@ static bool apply(int option, arguments *arguments)
         arguments->legacy = true;
         return true;
     case OPTION_RUNNER:
-        arguments->runner = optarg;
+        arguments->runner = argument;
         return true;
     case OPTION_FORMAT:
-        return table_format_parse(optarg, &arguments->format);
-    case MODE_ERRATA:
-    case MODE_WALK:
-    case MODE_PORTABILITY:
+        return table_format_parse(argument, &arguments->format);
+    default:
         arguments->mode = (mode)option;
         return true;
-    default:
-        return false;
     }
 }
 
 static bool parse(int argc, char *argv[], arguments *arguments)
 {
     *arguments = (struct arguments){.mode = MODE_RUN, .format = FORMAT_TEXT, .runner = ""};
-    opterr = 0;
-    for (int option; (option = getopt_long(argc, argv, "", long_options, NULL)) != -1;) {
-        if (!apply(option, arguments)) {
-            return false;
-        }
+    if (!flags_read(argc, argv, "+:", long_options, apply, arguments)) {
+        return false;
     }
     char **rest = argv + optind;
     if (arguments->mode != MODE_RUN) {

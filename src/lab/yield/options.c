@@ -3,10 +3,9 @@
 #include "console/exit_code.h"
 #include "console/flags.h"
 #include "console/message.h"
+#include "console/whole_number.h"
 
-#include <errno.h>
-#include <stdlib.h>
-#include <string.h>
+#include <stdio.h>
 
 enum { SAMPLES = 100000, MOST_SAMPLES = 10000000, SEED = 1987 };
 
@@ -30,26 +29,10 @@ void yield_options_help(void)
            SAMPLES, SEED);
 }
 
-static bool parse_whole(const char *option, const char *text, uint64_t least, uint64_t most,
-                        uint64_t *value)
-{
-    const size_t length = strlen(text);
-    errno = 0;
-    const unsigned long long parsed = strtoull(text, NULL, 10);
-    const bool whole = length > 0 && strspn(text, "0123456789") == length && errno == 0;
-    if (!whole || parsed < least || parsed > most) {
-        message("--%s: %s is not a whole number from %llu to %llu", option, message_quote(text, &(quoted){""}),
-                (unsigned long long)least, (unsigned long long)most);
-        return false;
-    }
-    *value = parsed;
-    return true;
-}
-
 static bool parse_samples(const char *text, size_t *samples)
 {
     uint64_t value;
-    const bool fine = parse_whole("samples", text, 1, MOST_SAMPLES, &value);
+    const bool fine = whole_number_parse("--samples", text, 1, MOST_SAMPLES, &value);
     *samples = fine ? (size_t)value : *samples;
     return fine;
 }
@@ -77,7 +60,7 @@ static bool take(int option, const char *argument, void *context)
     case 'n':
         return parse_samples(argument, &options->samples);
     case 's':
-        return parse_whole("seed", argument, 0, UINT64_MAX, &options->seed);
+        return whole_number_parse("--seed", argument, 0, UINT64_MAX, &options->seed);
     case 'l':
         return parse_reading(argument, &options->reading);
     case 'f':

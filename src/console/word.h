@@ -1,0 +1,13 @@
+#ifndef ARMTOL_CONSOLE_WORD_H
+#define ARMTOL_CONSOLE_WORD_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A word of a list on the command line, a zero behind it. */
+enum { WORD = 64 };
+
+/* Copies what stands before the first of ends, cut to fit, and moves *at there. False where it was cut. */
+bool word_take(const char **at, const char *ends, char word[WORD]);
+
+#endif
