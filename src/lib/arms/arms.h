@@ -2,8 +2,8 @@
 #define ARMTOL_LIB_ARMS_ARMS_H
 
 #include "armtol/arm.h"
+#include "lib/pi.h"
 #include "lib/private_names.h"
-#include "lib/report/pi.h"
 
 #include <math.h>
 

@@ -2,8 +2,8 @@
 
 #include "armtol/link_transform.h"
 #include "armtol/transform.h"
+#include "lib/pi.h"
 #include "lib/report/finite.h"
-#include "lib/report/pi.h"
 #include "lib/report/trigonometry.h"
 
 #include <math.h>

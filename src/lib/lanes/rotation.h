@@ -2,7 +2,7 @@
 #define ARMTOL_LIB_LANES_ROTATION_H
 
 #include "lib/lanes/frame.h"
-#include "lib/report/pi.h"
+#include "lib/pi.h"
 
 /* The rotation vector (axis times angle, up to pi) of a frame's axes. */
 

@@ -2,7 +2,7 @@
 #define ARMTOL_LIB_REPORT_ARITHMETIC_H
 
 #include "armtol/errata.h"
-#include "lib/report/pi.h"
+#include "lib/pi.h"
 
 /*
  * Rounds to float for certain. The plain cast is not enough: gcc 12.2 -O2 drops it where its vectoriser joins

@@ -1,7 +1,7 @@
 #include "lib/report/trigonometry.h"
 
 #include "armtol/conventions.h"
-#include "lib/report/pi.h"
+#include "lib/pi.h"
 
 #define LANES 1
 #include "lib/lanes/rotation.h"

@@ -1,7 +1,7 @@
 #include "armtol/corners.h"
 
 #include "lib/optimum/row_rounding.h"
-#include "lib/report/pi.h"
+#include "lib/pi.h"
 
 #include <float.h>
 #include <math.h>

@@ -1,7 +1,0 @@
-#ifndef ARMTOL_LIB_REPORT_PI_H
-#define ARMTOL_LIB_REPORT_PI_H
-
-/* To all digits of a double; what the report has in its place is an erratum (arithmetic.h). */
-#define PI 3.14159265358979323846
-
-#endif
