@@ -20,13 +20,16 @@ armtol_status armtol_tolerances_check(const double tolerances[6], double delta);
 
 /*
  * The norm bounds. ordered is A with its n_lengths length columns first. tolerances are those of
- * (dx, dy, dz, rotations about x, y, z); delta is the share of the linear ones that is kept for the errors
- * of lengths.
+ * (dx, dy, dz, rotations about x, y, z); delta is what is kept of the linear ones for the errors of lengths at
+ * least.
  *     angle    = least over rows i of (e_i - delta) / |row i, angle columns|, i = 0..2, and
  *                e_i / |row i, angle columns|, i = 3..5           Hahn 1987, Eqs (4.25) to (4.28)
- *     distance = least over rows i = 0..2 of delta / |row i, length columns|        Eq. (4.31)
+ *     distance = least over rows i = 0..2 of
+ *                (e_i - |row i, angle columns| angle) / |row i, length columns|     Eq. (4.31)
+ * which is delta / |row i, length columns| in the row that sets the angle bound and more elsewhere; with the erratum
+ * distance-share it is delta / |row i, length columns| in every row.
  * A row without an entry in its columns bounds nothing; a bound that no row sets is infinite.
- * Erratum: float. Errors: those of armtol_tolerances_check; ARMTOL_WRONG_SIZE for n_lengths > n_columns;
+ * Errata: distance-share, float. Errors: those of armtol_tolerances_check; ARMTOL_WRONG_SIZE for n_lengths > n_columns;
  * ARMTOL_NOT_FINITE where an element is not or the norm of a row overflows.
  */
 armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,

@@ -28,6 +28,8 @@ typedef struct armtol_errata {
     bool base_twist;      /* base-twist */
     bool float_storage;   /* float */
     bool labels;          /* labels */
+    bool gppp_clearing;   /* gppp-clearing */
+    bool distance_share;  /* distance-share */
 } armtol_errata;
 
 extern const armtol_errata armtol_errata_1987; /* every slip kept */
@@ -37,6 +39,7 @@ typedef struct armtol_erratum_info {
     const char *id;      /* the name that `--fix` takes */
     const char *slip;    /* what the programs of 1987 do and what is right, one line */
     const char *touches; /* which results show it, one line */
+    const char *changes; /* the programs whose results it can change: "intella adpta", "adpta", or "" for neither */
 } armtol_erratum_info;
 
 /* The number of errata, and the row of each: index 0 to armtol_errata_count() - 1, NULL beyond. */

@@ -15,7 +15,8 @@ ARMTOL_INTERFACE_BEGIN
  * *count are left as they were.
  * Source: Hahn 1987, routines gnpr, gnpp, gppr and gppp, behind one table of kinds.
  * The routines of 1987 had no beta for npr and npp and no a for npp; here every nominal value counts.
- * Errata: parallel-arm, prismatic-alpha, beta-sign, float.
+ * Errata: parallel-arm, prismatic-alpha, beta-sign, float; and gppp-clearing, with which a ppp link leaves g[0..2][3],
+ * g[4][3], g[0..3][4] and g[5][4] as they were, as gppp left what the main program's g4 held.
  * Error: ARMTOL_BAD_KIND.
  */
 armtol_status armtol_link_jacobian(const armtol_link *link, const armtol_errata *errata,

@@ -18,24 +18,27 @@ ARMTOL_INTERFACE_BEGIN
  */
 
 /*
- * The norm bounds, as armtol_norm_bounds has them without an erratum, of the rows that are not free. A bound
- * that no row sets is infinite: distance where no bounded linear row has a length, angle where no bounded row
- * has an angle. delta has to lie between 0 and the smallest linear limit; it may be 0 where no bounded linear
- * row has a length, and is not looked at where no linear row is bounded.
+ * The norm bounds, as armtol_norm_bounds has them without an erratum, of the rows that are not free, in all
+ * poses. A bound that no row sets is infinite: distance where no bounded linear row has a length, angle where no
+ * bounded row has an angle. delta has to lie between 0 and the smallest linear limit; it may be 0 where no bounded
+ * linear row has a length, and is not looked at where no linear row is bounded.
  * Errors: ARMTOL_NOT_FINITE for a limit or a delta that is nan, and where an element of a bounded row is not
  * finite or the norm of such a row overflows; ARMTOL_BAD_TOLERANCE for a limit that is not positive;
  * ARMTOL_BAD_DELTA.
  */
 armtol_status armtol_sphere_bounds(const double matrix[], size_t n_poses, size_t n_columns,
-                                   const armtol_column columns[], const double limits[6], double delta, armtol_bounds *bounds);
+                                   const armtol_column columns[], const double limits[6], double delta,
+                                   armtol_bounds *bounds);
 
 /*
  * The delta that makes the least tolerance largest, the tolerance of an angle counted as what it moves at the
- * end of a lever (length unit a radian; an arm's stretched length serves). Of several such the largest: what
- * it adds to the lengths takes nothing from the angles. It is one that armtol_sphere_bounds accepts:
+ * end of a lever (length unit a radian; an arm's stretched length serves). A larger delta leaves the angles less
+ * and so the lengths more. Of several that serve, the largest. It is one that armtol_sphere_bounds accepts:
  *   - between 0 and the smallest linear limit;
  *   - the largest number below that limit, where angles have no say: there are none, or they do not move the
  *     row of that limit and leave the lengths' tolerance the least one;
+ *   - 2^-52 times the smallest linear limit at the least, where a row that no length moves leaves the angles all of
+ *     its limit;
  *   - 0 where there is nothing to share out: no linear row is bounded, or none that is has a length.
  * Errors: those of armtol_sphere_bounds, delta apart; ARMTOL_NOT_FINITE also for a lever that is not finite,
  * or where delta underflows; ARMTOL_BAD_WEIGHT for a lever that is not positive.

@@ -21,19 +21,24 @@ static void print_help(const program *program)
            "  -o, --output DIR            write the files into DIR (default: the current folder)\n"
            "  -r, --run N                 the run number in their names (default: 1)\n"
            "  -f, --fix NAME[,NAME]...    correct the named errata of 1987; `all' for every one\n"
-           "  -l, --list-errata           list the errata and what each touches\n"
+           "  -l, --list-errata           list the errata and what each touches in %s\n"
            "  -h, --help                  show this and exit\n"
            "  -V, --version               show the version and exit\n"
            "\n"
            "Exit status: 0 done, 2 wrong input or usage, 1 any other failure.\n",
-           program->file_prefix, program->file_prefix, program->file_prefix, program->file_prefix);
+           program->file_prefix, program->file_prefix, program->file_prefix, program->file_prefix, program->name);
 }
 
-static void print_errata(void)
+static void print_errata(const program *program)
 {
     for (size_t i = 0; i < armtol_errata_count(); i++) {
         const armtol_erratum_info *erratum = armtol_erratum(i);
-        printf("%-16s %s\n%-16s touches: %s\n", erratum->id, erratum->slip, "", erratum->touches);
+        printf("%-16s %s\n%-16s touches: %s", erratum->id, erratum->slip, "", erratum->touches);
+        if (program_shows_erratum(program, i)) {
+            putchar('\n');
+        } else {
+            printf("; changes nothing in %s\n", program->name);
+        }
     }
 }
 
@@ -41,7 +46,7 @@ void help_print(action action, const program *program)
 {
     switch (action) {
     case ACTION_LIST_ERRATA:
-        print_errata();
+        print_errata(program);
         break;
     case ACTION_HELP:
         print_help(program);

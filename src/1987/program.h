@@ -3,6 +3,9 @@
 
 #include "armtol/robots.h"
 
+#include <stdbool.h>
+#include <stddef.h>
+
 /* What makes one of the two programs of 1987 differ from the other. */
 typedef struct program {
     const char *name;
@@ -18,6 +21,9 @@ typedef struct program {
 
 extern const program program_intella; /* the Intelledex 605T */
 extern const program program_adpta;   /* the Adept AdeptOne */
+
+/* Whether the erratum of that index can change the program's results. */
+bool program_shows_erratum(const program *program, size_t index);
 
 /* The program of that name, or NULL. */
 const program *program_named(const char *name);

@@ -1,6 +1,7 @@
 #include "1987/program.h"
 
-#include <stddef.h>
+#include "armtol/errata.h"
+
 #include <string.h>
 
 static const char *const intella_names[] = {"x", "y", "z", "gamma", "beta", "alpha"};
@@ -32,6 +33,11 @@ const program program_adpta = {
     .reach_subject = "(x, y)",
     .reach_origin = "the axis of joint 1",
 };
+
+bool program_shows_erratum(const program *program, size_t index)
+{
+    return strstr(armtol_erratum(index)->changes, program->name) != NULL;
+}
 
 const program *program_named(const char *name)
 {

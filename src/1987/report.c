@@ -23,6 +23,30 @@ void report_ordered(FILE *stream, const void *data)
     write_columns(stream, analysis->ordered, analysis->n_columns);
 }
 
+/*
+ * What the files of text begin with. Where errata are corrected a line of its own says which, so that such a file is
+ * not taken for one of 1987.
+ */
+static void write_head(FILE *stream, const report *report)
+{
+    const armtol_errata *errata = &report->analysis->errata;
+    const size_t count = armtol_errata_count();
+    size_t kept = 0, corrected = 0;
+    for (size_t i = 0; i < count; i++) {
+        kept += armtol_erratum_is_kept(errata, i);
+    }
+    fprintf(stream, "For %s\n", report->program->title);
+    if (kept == 0) {
+        fputs("errata of 1987 corrected: all\n", stream);
+    }
+    for (size_t i = 0; i < count && kept > 0 && kept < count; i++) {
+        if (!armtol_erratum_is_kept(errata, i)) {
+            fprintf(stream, "%s%s", corrected++ == 0 ? "errata of 1987 corrected: " : ", ", armtol_erratum(i)->id);
+        }
+    }
+    fputs(corrected > 0 ? "\n\n" : "\n", stream);
+}
+
 /* theta[1] and so on, or d[4] of a prismatic joint. */
 static void write_wish(FILE *stream, const report *report)
 {
@@ -54,7 +78,8 @@ void report_tolerances(FILE *stream, const void *data)
 {
     const report *report = data;
     const analysis *analysis = report->analysis;
-    fprintf(stream, "For %s\n\nwith input:\n", report->program->title);
+    write_head(stream, report);
+    fputs("with input:\n", stream);
     write_wish(stream, report);
     fprintf(stream, "\nA bound on the error in distance parameters = " NUMBER "\n",
             analysis->bounds.distance);
@@ -69,7 +94,8 @@ void report_machining(FILE *stream, const void *data)
     const report *report = data;
     const analysis *analysis = report->analysis;
     const size_t n_links = analysis->robot->n_links;
-    fprintf(stream, "For %s\n\nmachining distance tolerances:\n", report->program->title);
+    write_head(stream, report);
+    fputs("machining distance tolerances:\n", stream);
     for (size_t i = 0; i < n_links; i++) {
         fprintf(stream, " rd[%zu] = " NUMBER "\n", i, analysis->machining[i]);
     }

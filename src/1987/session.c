@@ -9,6 +9,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 #include <unistd.h>
 
 /* What the judges of the answers need, and what they find out. */
@@ -130,6 +131,23 @@ static int second_part(session *session, dialogue *dialogue, const folder *folde
     return code == EXIT_OK ? write_pair(session, folder, run, REPORT_TOLERANCES) : code;
 }
 
+/* Only where some are kept: who corrects all means all that there are. */
+static void tell_of_errata_without_effect(const program *program, const armtol_errata *errata)
+{
+    char without[512] = "";
+    size_t kept = 0;
+    for (size_t i = 0; i < armtol_errata_count(); i++) {
+        kept += armtol_erratum_is_kept(errata, i);
+        if (!armtol_erratum_is_kept(errata, i) && !program_shows_erratum(program, i)) {
+            strncat(without, without[0] != '\0' ? ", " : "", sizeof without - strlen(without) - 1);
+            strncat(without, armtol_erratum(i)->id, sizeof without - strlen(without) - 1);
+        }
+    }
+    if (kept > 0 && without[0] != '\0') {
+        message_note("--fix: in %s this changes nothing: %s", program->name, without);
+    }
+}
+
 /* Nobody should build an arm to the numbers of 1987 unawares. */
 static void warn_of_errata(const program *program, const armtol_errata *errata)
 {
@@ -155,6 +173,7 @@ int session_run(const program *program, const options *options, const folder *fo
         out_of_memory();
         return EXIT_FAILED;
     }
+    tell_of_errata_without_effect(program, &options->errata);
     dialogue_start(&dialogue, stdin, isatty(STDIN_FILENO), &options->errata);
     int code = first_part(&session, &dialogue, folder, options->run);
     if (code == EXIT_OK) {

@@ -13,7 +13,8 @@ const char golden_1987[] = "1987", golden_corrected[] = "corrected";
 const char *const errata[ERRATA] = {
     "mtransf-typo",  "parallel-arm", "adept-shift", "skew-residue",    "root-of-ratio",
     "copied-counts", "signed-mach",  "short-pi",    "prismatic-alpha", "beta-sign",
-    "half-turns",    "base-twist",   "float",       "labels",
+    "half-turns",    "base-twist",   "float",       "labels",          "gppp-clearing",
+    "distance-share",
 };
 
 static const char *const intella_names[] = {"x",  "y",  "z",   "gamma", "beta", "alpha", "dx",

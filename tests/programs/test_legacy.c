@@ -2,7 +2,7 @@
  * The port against the programs of 1987, byte for byte: four files and the dialogue, at positions drawn over
  * the whole workspace. The residue on the stack is out of the comparison: in the legacy programs used here
  * what they never set is static, so that C makes it zero, and the port runs with --fix skew-residue. The
- * Intelledex's residue is zero anyway, so its port runs without any correction too.
+ * Intelledex's residue is zero anyway: its port runs without any correction.
  */
 
 #include "programs/programs.h"
@@ -11,6 +11,7 @@
 #include "unity.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { POSITIONS = 500 };
 
@@ -75,6 +76,17 @@ typedef struct folders {
     string port, legacy;
 } folders;
 
+/* The port's files of text say what is corrected, in a line that those of 1987 do not have. */
+static void take_out_what_is_corrected(text *text)
+{
+    static const char line[] = "errata of 1987 corrected: skew-residue\n";
+    char *found = strstr(text->bytes, line);
+    if (found != NULL) {
+        memmove(found, found + strlen(line), strlen(found + strlen(line)) + 1);
+        text->length -= strlen(line);
+    }
+}
+
 static void compare(const tested *program, const folders *folders, const process *legacy, const process *port,
                     const char *what)
 {
@@ -82,7 +94,11 @@ static void compare(const tested *program, const folders *folders, const process
     for (int i = 0; i < FILES; i++) {
         const string expected = file_of(folders->legacy.text, program, i);
         const string actual = file_of(folders->port.text, program, i);
-        file_check_same(expected.text, actual.text, what);
+        text written, of_port;
+        file_read(expected.text, &written);
+        file_read(actual.text, &of_port);
+        take_out_what_is_corrected(&of_port);
+        text_check(written.bytes, written.length, &of_port, what);
     }
 }
 
@@ -128,11 +144,6 @@ static void test_intella_as_in_1987(void)
     compare_over_workspace(0, NULL);
 }
 
-static void test_intella_without_residue(void)
-{
-    compare_over_workspace(0, without_residue);
-}
-
 static void test_adpta_without_residue(void)
 {
     compare_over_workspace(1, without_residue);
@@ -142,7 +153,6 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_intella_as_in_1987);
-    RUN_TEST(test_intella_without_residue);
     RUN_TEST(test_adpta_without_residue);
     return UNITY_END();
 }

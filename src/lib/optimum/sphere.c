@@ -2,10 +2,20 @@
 
 #include "armtol/machining.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 
-/* What the bounds are made of. The limits being the same in every pose, only the largest norm of a row counts. */
+/* What the bounds are of. */
+typedef struct task {
+    const double *matrix;
+    size_t n_poses;
+    size_t n_columns;
+    const armtol_column *columns;
+    const double *limits;
+} task;
+
+/* The largest norms of the rows of all poses. The limits being the same in every pose, these set the angle bound. */
 typedef struct sphere_rows {
     double lengths[6]; /* norms of the rows' length columns, 0 for rows that are free */
     double angles[6];
@@ -46,31 +56,46 @@ static armtol_status check_limits(const double limits[6])
     return ARMTOL_OK;
 }
 
+/* Norms of one row of one pose. */
+typedef struct row_norms {
+    double lengths;
+    double angles;
+} row_norms;
+
+/* 0 where the row is free. */
+static row_norms norms_of(const task *task, size_t pose, size_t i)
+{
+    if (isinf(task->limits[i])) {
+        return (row_norms){0, 0};
+    }
+    const double *row = task->matrix + (pose * 6 + i) * task->n_columns;
+    return (row_norms){
+        .lengths = class_norm(row, task->n_columns, task->columns, true),
+        .angles = class_norm(row, task->n_columns, task->columns, false),
+    };
+}
+
 /* Raise the norms to those of one pose. */
-static armtol_status raise_norms(const double matrix[], size_t n_columns, const armtol_column columns[],
-                                 const double limits[6], sphere_rows *rows)
+static armtol_status raise_norms(const task *task, size_t pose, sphere_rows *rows)
 {
     for (size_t i = 0; i < 6; i++) {
-        const double *row = matrix + i * n_columns;
-        const double lengths = isinf(limits[i]) ? 0 : class_norm(row, n_columns, columns, true);
-        const double angles = isinf(limits[i]) ? 0 : class_norm(row, n_columns, columns, false);
-        if (!isfinite(lengths) || !isfinite(angles)) {
+        const row_norms norms = norms_of(task, pose, i);
+        if (!isfinite(norms.lengths) || !isfinite(norms.angles)) {
             return ARMTOL_NOT_FINITE;
         }
-        rows->lengths[i] = fmax(rows->lengths[i], lengths);
-        rows->angles[i] = fmax(rows->angles[i], angles);
+        rows->lengths[i] = fmax(rows->lengths[i], norms.lengths);
+        rows->angles[i] = fmax(rows->angles[i], norms.angles);
     }
     return ARMTOL_OK;
 }
 
-static armtol_status find_rows(const double matrix[], size_t n_poses, size_t n_columns,
-                               const armtol_column columns[], const double limits[6], sphere_rows *rows)
+static armtol_status find_rows(const task *task, sphere_rows *rows)
 {
-    armtol_status status = check_limits(limits);
+    armtol_status status = check_limits(task->limits);
     *rows = (sphere_rows){{0}, {0}, 0, 0};
-    count_classes(columns, n_columns, rows);
-    for (size_t pose = 0; pose < n_poses && status == ARMTOL_OK; pose++) {
-        status = raise_norms(matrix + pose * 6 * n_columns, n_columns, columns, limits, rows);
+    count_classes(task->columns, task->n_columns, rows);
+    for (size_t pose = 0; pose < task->n_poses && status == ARMTOL_OK; pose++) {
+        status = raise_norms(task, pose, rows);
     }
     return status;
 }
@@ -110,39 +135,60 @@ static armtol_status check_delta(const sphere_rows *rows, const double limits[6]
     return (delta > 0 || (may_be_zero && delta >= 0)) && delta < smallest ? ARMTOL_OK : ARMTOL_BAD_DELTA;
 }
 
-armtol_status armtol_sphere_bounds(const double matrix[], size_t n_poses, size_t n_columns,
-                                   const armtol_column columns[], const double limits[6], double delta, armtol_bounds *bounds)
+/*
+ * The least radius that the rows of any pose leave the lengths while the errors of angles stay within theirs. Both
+ * norms are of one row of one pose: the largest of each, of two poses, would leave less than need be.
+ */
+static double length_radius(const task *task, double angle)
 {
+    double radius = (double)INFINITY;
+    for (size_t pose = 0; pose < task->n_poses; pose++) {
+        for (size_t i = 0; i < 3; i++) {
+            const row_norms norms = norms_of(task, pose, i);
+            const double taken = norms.angles > 0 ? norms.angles * angle : 0;
+            if (norms.lengths > 0) {
+                radius = fmin(radius, (task->limits[i] - taken) / norms.lengths);
+            }
+        }
+    }
+    return radius;
+}
+
+armtol_status armtol_sphere_bounds(const double matrix[], size_t n_poses, size_t n_columns,
+                                   const armtol_column columns[], const double limits[6], double delta,
+                                   armtol_bounds *bounds)
+{
+    const task task = {matrix, n_poses, n_columns, columns, limits};
     sphere_rows rows;
-    armtol_status status = find_rows(matrix, n_poses, n_columns, columns, limits, &rows);
+    armtol_status status = find_rows(&task, &rows);
     if (status == ARMTOL_OK) {
         status = check_delta(&rows, limits, delta);
     }
     if (status != ARMTOL_OK) {
         return status;
     }
-    const double norm = largest_linear(rows.lengths);
-    bounds->distance = norm > 0 ? delta / norm : (double)INFINITY;
     bounds->angle = fmin(least_radius(rows.angles, limits, delta, 0, 3),
                          least_radius(rows.angles, limits, 0, 3, 6));
+    bounds->distance = length_radius(&task, bounds->angle);
     return ARMTOL_OK;
 }
 
 /*
- * Where the length tolerance, which grows with delta, meets the linear rows' angle tolerances at the lever's
- * end, which fall to 0 at the rows' limits. An angle's radius over a length's is ratio times their tolerances
- * there.
+ * The angles' radius where the tolerance of an angle, which grows with it, meets that of a length, which falls: the
+ * length radius times ratio. Each row of each pose has one; the least counts.
  */
-static double linear_crossing(const sphere_rows *rows, const double limits[6], double ratio)
+static double even_radius(const task *task, double ratio)
 {
-    double crossing = (double)INFINITY;
-    for (int i = 0; i < 3; i++) {
-        if (!isinf(limits[i])) {
-            const double slope = rows->angles[i] * ratio / largest_linear(rows->lengths);
-            crossing = fmin(crossing, limits[i] / (1 + slope));
+    double radius = (double)INFINITY;
+    for (size_t pose = 0; pose < task->n_poses; pose++) {
+        for (size_t i = 0; i < 3; i++) {
+            const row_norms norms = norms_of(task, pose, i);
+            if (norms.lengths > 0) {
+                radius = fmin(radius, ratio * task->limits[i] / (norms.lengths + ratio * norms.angles));
+            }
         }
     }
-    return crossing;
+    return radius;
 }
 
 /* The largest delta that leaves the angles this radius. */
@@ -157,14 +203,14 @@ static double most_delta(const sphere_rows *rows, const double limits[6], double
     return delta;
 }
 
-static double best_delta(const sphere_rows *rows, const double limits[6], double lever)
+/* A row that no length moves may ask for all that is left; then what rounding does not lose stays for delta. */
+static double best_delta(const task *task, const sphere_rows *rows, double lever)
 {
+    const double smallest = smallest_linear(task->limits);
     const double ratio = sqrt((double)rows->n_angles) / sqrt((double)rows->n_lengths) / lever;
-    const double linear = linear_crossing(rows, limits, ratio);
-    const double radius = least_radius(rows->angles, limits, 0, 3, 6);
-    const double angular = radius * largest_linear(rows->lengths) / ratio;
-    const double delta = linear <= angular ? linear : most_delta(rows, limits, radius);
-    return fmin(delta, nextafter(smallest_linear(limits), 0));
+    const double radius = fmin(even_radius(task, ratio), least_radius(rows->angles, task->limits, 0, 3, 6));
+    const double delta = most_delta(rows, task->limits, radius);
+    return fmin(fmax(delta, smallest * DBL_EPSILON), nextafter(smallest, 0));
 }
 
 armtol_status armtol_sphere_delta(const double matrix[], size_t n_poses, size_t n_columns,
@@ -176,8 +222,9 @@ armtol_status armtol_sphere_delta(const double matrix[], size_t n_poses, size_t 
     if (lever <= 0) {
         return ARMTOL_BAD_WEIGHT;
     }
+    const task task = {matrix, n_poses, n_columns, columns, limits};
     sphere_rows rows;
-    const armtol_status status = find_rows(matrix, n_poses, n_columns, columns, limits, &rows);
+    const armtol_status status = find_rows(&task, &rows);
     if (status != ARMTOL_OK) {
         return status;
     }
@@ -185,7 +232,7 @@ armtol_status armtol_sphere_delta(const double matrix[], size_t n_poses, size_t 
         *delta = 0;
         return ARMTOL_OK;
     }
-    const double best = best_delta(&rows, limits, lever);
+    const double best = best_delta(&task, &rows, lever);
     if (!(best > 0)) {
         return ARMTOL_NOT_FINITE;
     }

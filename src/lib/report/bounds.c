@@ -38,6 +38,16 @@ static void tighten(double *bound, double allowed, double norm, const armtol_err
     }
 }
 
+/* What errors of lengths may move a row by, while those of angles stay within their bound. */
+static double left_to_lengths(double tolerance, double delta, double angles, double bound, const armtol_errata *errata)
+{
+    /* Erratum `distance-share`: delta, whatever the angles leave. */
+    if (errata->distance_share) {
+        return delta;
+    }
+    return angles > 0 ? store(errata, tolerance - angles * bound) : tolerance;
+}
+
 armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,
                                  const double tolerances[6], double delta, const armtol_errata *errata,
                                  armtol_bounds *bounds)
@@ -50,17 +60,18 @@ armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_
         return ARMTOL_WRONG_SIZE;
     }
     double distance = (double)INFINITY, angle = (double)INFINITY;
+    double lengths[6], angles[6];
     for (size_t i = 0; i < 6; i++) {
         const double *row = ordered + i * n_columns;
-        const double lengths = row_norm(row, 0, n_lengths, errata);
-        const double angles = row_norm(row, n_lengths, n_columns, errata);
-        if (!isfinite(lengths) || !isfinite(angles)) {
+        lengths[i] = row_norm(row, 0, n_lengths, errata);
+        angles[i] = row_norm(row, n_lengths, n_columns, errata);
+        if (!isfinite(lengths[i]) || !isfinite(angles[i])) {
             return ARMTOL_NOT_FINITE;
         }
-        tighten(&angle, i < 3 ? store(errata, tolerances[i] - delta) : tolerances[i], angles, errata);
-        if (i < 3) {
-            tighten(&distance, delta, lengths, errata);
-        }
+        tighten(&angle, i < 3 ? store(errata, tolerances[i] - delta) : tolerances[i], angles[i], errata);
+    }
+    for (size_t i = 0; i < 3; i++) {
+        tighten(&distance, left_to_lengths(tolerances[i], delta, angles[i], angle, errata), lengths[i], errata);
     }
     *bounds = (armtol_bounds){distance, angle};
     return ARMTOL_OK;

@@ -9,53 +9,64 @@ typedef struct row {
 
 #define FIELD(name) offsetof(armtol_errata, name)
 
+#define BOTH "intella adpta"
+#define ADPTA "adpta"
+#define NEITHER ""
+
 /* The one table of errata, in the order of the struct's fields. */
 static const row table[] = {
     {{"mtransf-typo", "the link transform has sin(theta) for cos(theta) in row 1, column 2",
-      "every link with alpha != 0; all bounds of the Intelledex"},
+      "every link with alpha != 0; all bounds of the Intelledex", BOTH},
      FIELD(mtransf_typo)},
     {{"parallel-arm", "the theta column of a parallel revolute link has d, which is 0, for the length a",
-      "the angle bounds of both arms"},
+      "the angle bounds of both arms", BOTH},
      FIELD(parallel_arm)},
-    {{"adept-shift", "the lengths 425 and 375 of the Adept stand on links 2 and 3, not 1 and 2",
-      "the Adept's angle bounds and rd[1] to rd[3]"},
+    {{"adept-shift", "the Adept's lengths 425 and 375 are links 2 and 3's, in Figure 5.3 too, not links 1 and 2's",
+      "the Adept's angle bounds and rd[1] to rd[3]", ADPTA},
      FIELD(adept_shift)},
     {{"skew-residue", "the diagonal of a skew matrix is never set: it holds what lay on the stack, not 0",
-      "the Adept's angle bounds"},
+      "the Adept's angle bounds", ADPTA},
      FIELD(skew_residue)},
     {{"root-of-ratio", "the share of a sphere of radius r over n parameters is sqrt(r/n), not r/sqrt(n)",
-      "every machining and motor tolerance"},
+      "every machining and motor tolerance", BOTH},
      FIELD(root_of_ratio)},
     {{"copied-counts", "the Intelledex's 14 lengths and 18 angles serve the Adept, which has 9 and 16",
-      "the Adept's machining and motor tolerances"},
+      "the Adept's machining and motor tolerances", ADPTA},
      FIELD(copied_counts)},
     {{"signed-mach", "a negative d gives a negative tolerance; magnitudes of a and d are meant",
-      "the Adept's rd[4] and td[3]"},
+      "the Adept's rd[4] and td[3]", ADPTA},
      FIELD(signed_mach)},
-    {{"short-pi", "pi is 3.14159", "last digits, of the joint values above all"},
+    {{"short-pi", "pi is 3.14159", "last digits, of the joint values above all", BOTH},
      FIELD(short_pi)},
     {{"prismatic-alpha", "the G of a parallel prismatic link has the angle alpha for the length a",
-      "nothing published: both are 0 in the Adept"},
+      "nothing published: both are 0 in the Adept", NEITHER},
      FIELD(prismatic_alpha)},
     {{"beta-sign", "the G of a parallel link is written for -beta, the link transform for +beta",
-      "the sign of the beta columns; no bound while beta is 0"},
+      "the sign of the beta columns; no bound while beta is 0", BOTH},
      FIELD(beta_sign)},
-    {{"half-turns", "the Adept's base and tool turn by pi and its tool tilts by pi/2 in A, not in the check",
-      "where the tool of A is: (-200, -200) for a wish of (200, 200); and the stack residue"},
+    {{"half-turns", "in A, not in the check, the Adept's base and tool turn by pi (Eqs 5.3, 5.4) and its tool tilts by "
+                    "pi/2 (the program alone)",
+      "where the tool of A is: (-200, -200) for a wish of (200, 200); and the stack residue", ADPTA},
      FIELD(half_turns)},
     {{"base-twist", "dx, dy, dz bound the motion of the body point at the base's origin, not of the tool",
-      "A itself, and so all four files"},
+      "A itself, and so all four files", BOTH},
      FIELD(base_twist)},
-    {{"float", "every value is stored as a float, not a double", "last digits"},
+    {{"float", "every value is stored as a float, not a double", "last digits", BOTH},
      FIELD(float_storage)},
-    {{"labels", "the tolerance file says dwx three times, not dwx, dwy, dwz", "labels of one file"},
+    {{"labels", "the tolerance file says dwx three times, not dwx, dwy, dwz", "labels of one file", BOTH},
      FIELD(labels)},
+    {{"gppp-clearing", "the G of a parallel prismatic link is cleared in 3 of its 5 columns, as the scan reads",
+      "nothing published: what the rest of it held was 0", NEITHER},
+     FIELD(gppp_clearing)},
+    {{"distance-share", "the distance bound leaves lengths delta, not all that angles leave them, as Eq. (4.31) does",
+      "the distance bound, never smaller by the equation, and all distance tolerances", BOTH},
+     FIELD(distance_share)},
 };
 
 #define ROWS (sizeof table / sizeof table[0])
 
-const armtol_errata armtol_errata_1987 = {true, true, true, true, true, true, true,
-                                          true, true, true, true, true, true, true};
+const armtol_errata armtol_errata_1987 = {true, true, true, true, true, true, true, true,
+                                          true, true, true, true, true, true, true, true};
 const armtol_errata armtol_errata_none = {false};
 
 static bool *field_of(armtol_errata *errata, size_t index)

@@ -90,7 +90,8 @@ static void base_twists(const armtol_link links[], size_t n_links, const armtol_
     armtol_adjoint to_base = adjoint_of(&links[0], &residue, errata);
     size_t column = 0;
     for (size_t i = 0; i < n_links; i++) {
-        double g[6][ARMTOL_PARAMETER_COUNT];
+        /* zeros, as g4 of the main program was on a fresh stack: erratum gppp-clearing leaves some of them */
+        double g[6][ARMTOL_PARAMETER_COUNT] = {{0}};
         size_t count = 0;
         if (i > 0) {
             const armtol_adjoint step = adjoint_of(&links[i], &residue, errata);

@@ -3,6 +3,8 @@
 #include "lib/report/arithmetic.h"
 #include "lib/report/trigonometry.h"
 
+#include <stdbool.h>
+
 /* What the columns are made of. */
 typedef struct ingredients {
     double ca, sa;   /* cos, sin alpha */
@@ -58,6 +60,17 @@ static void column_of(armtol_parameter parameter, const ingredients *g, double t
     }
 }
 
+/*
+ * Whether an element stays what it was. gppp, as the scan reads, clears columns 0 to 2 of its five; in the other two,
+ * those of alpha and beta, it sets but what turns the frame.
+ */
+static bool is_left_alone(armtol_kind kind, armtol_parameter parameter, int i, const armtol_errata *errata)
+{
+    const bool set = parameter == ARMTOL_ALPHA ? i == 3 || i == 5 : parameter != ARMTOL_BETA || i == 4;
+    /* Erratum `gppp-clearing`: what is not set is not cleared either. */
+    return errata->gppp_clearing && kind == ARMTOL_PPP && !set;
+}
+
 armtol_status armtol_link_jacobian(const armtol_link *link, const armtol_errata *errata,
                                    double g[6][ARMTOL_PARAMETER_COUNT], size_t *count)
 {
@@ -71,7 +84,9 @@ armtol_status armtol_link_jacobian(const armtol_link *link, const armtol_errata 
         double twist[6];
         column_of(parameters[k], &made_of, twist);
         for (int i = 0; i < 6; i++) {
-            g[i][k] = store(errata, twist[i]);
+            if (!is_left_alone(link->kind, parameters[k], i, errata)) {
+                g[i][k] = store(errata, twist[i]);
+            }
         }
     }
     *count = n;

@@ -59,10 +59,40 @@ static void test_1987_stores_what_delta_leaves(void)
     }
 }
 
-static void test_the_longest_row_sets_the_distance_bound(void)
+/* Row 2 sets the angle bound, 0.5 / 9; it leaves row 1 1 - 7 (0.5 / 9) for its lengths, whose norm is 13. */
+static void test_what_the_angles_leave_sets_the_distance_bound(void)
 {
     const double tolerances[6] = {1, 1, 1, 1, 1, 1};
-    check_within(1e-15, 0.5 / 13, bounds_for(tolerances, 0.5).distance, "distance bound");
+    check_within(1e-15, (1 - 7 * (0.5 / 9)) / 13, bounds_for(tolerances, 0.5).distance, "distance bound");
+}
+
+/* Row 5 allows the angles but 0.011 / 11: what delta is does not matter. */
+static void test_the_lengths_get_what_rotations_keep_the_angles_from(void)
+{
+    const double tolerances[6] = {1, 1, 1, 1, 1, 0.011};
+    check_within(1e-15, (1 - 7 * 0.001) / 13, bounds_for(tolerances, 0.5).distance, "distance bound");
+    check_within(1e-15, (1 - 7 * 0.001) / 13, bounds_for(tolerances, 0.1).distance, "distance bound");
+}
+
+/* Each row can be the one: its tolerance is the near one. Then it sets the angle bound too, and delta is left. */
+static void test_each_row_can_set_the_distance_bound(void)
+{
+    static const double norms[3] = {5, 13, 1};
+    for (int row = 0; row < 3; row++) {
+        double tolerances[6] = {1000, 1000, 1000, 1000, 1000, 1000};
+        tolerances[row] = 2;
+        check_within(1e-15, 0.5 / norms[row], bounds_for(tolerances, 0.5).distance, "row %d", row);
+    }
+}
+
+static void test_in_1987_the_longest_row_sets_the_distance_bound(void)
+{
+    const double tolerances[6] = {1, 1, 1, 1, 1, 0.011};
+    armtol_errata errata = armtol_errata_none;
+    armtol_bounds bounds;
+    errata.distance_share = true;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_norm_bounds(ordered, 5, 2, tolerances, 0.5, &errata, &bounds));
+    check_within(1e-15, 0.5 / 13, bounds.distance, "distance bound");
 }
 
 /* In other units of length and angle the numbers may be of any size. */
@@ -168,7 +198,10 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_each_row_can_set_the_angle_bound);
     RUN_TEST(test_1987_stores_what_delta_leaves);
-    RUN_TEST(test_the_longest_row_sets_the_distance_bound);
+    RUN_TEST(test_what_the_angles_leave_sets_the_distance_bound);
+    RUN_TEST(test_the_lengths_get_what_rotations_keep_the_angles_from);
+    RUN_TEST(test_each_row_can_set_the_distance_bound);
+    RUN_TEST(test_in_1987_the_longest_row_sets_the_distance_bound);
     RUN_TEST(test_bounds_are_inverse_to_the_matrix);
     RUN_TEST(test_an_arm_without_lengths_or_angles_is_not_bound_by_them);
     RUN_TEST(test_each_tolerance_has_to_be_positive_and_finite);

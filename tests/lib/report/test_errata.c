@@ -16,6 +16,7 @@ void tearDown(void)
 static const char *const ids[] = {
     "mtransf-typo", "parallel-arm", "adept-shift", "skew-residue",    "root-of-ratio", "copied-counts", "signed-mach",
     "short-pi",     "beta-sign",    "half-turns",  "prismatic-alpha", "base-twist",    "float",         "labels",
+    "gppp-clearing", "distance-share",
 };
 enum { IDS = sizeof ids / sizeof ids[0] };
 
@@ -83,6 +84,7 @@ static void test_each_name_switches_the_field_that_it_means(void)
         {"prismatic-alpha", &errata.prismatic_alpha}, {"beta-sign", &errata.beta_sign},
         {"half-turns", &errata.half_turns},           {"base-twist", &errata.base_twist},
         {"float", &errata.float_storage},             {"labels", &errata.labels},
+        {"gppp-clearing", &errata.gppp_clearing},     {"distance-share", &errata.distance_share},
     };
     for (size_t i = 0; i < sizeof pairs / sizeof pairs[0]; i++) {
         errata = armtol_errata_none;
