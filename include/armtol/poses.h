@@ -39,8 +39,8 @@ typedef struct armtol_poses {
     const armtol_pose_link *links;
     size_t n_links, n_joints, n_columns;
     armtol_tool_point tool;
-    double length_scale, length_weights[3]; /* bound = scale / root of the largest weighted sum of squares */
-    double angle_scale, angle_weights[6];
+    double limits[3], delta;              /* the linear tolerances, and what is kept of them for lengths */
+    double angle_scale, angle_weights[6]; /* angle bound = scale / root of the largest weighted sum of squares */
 } armtol_poses;
 
 /*

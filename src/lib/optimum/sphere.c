@@ -139,7 +139,7 @@ static armtol_status check_delta(const sphere_rows *rows, const double limits[6]
  * The least radius that the rows of any pose leave the lengths while the errors of angles stay within theirs. Both
  * norms are of one row of one pose: the largest of each, of two poses, would leave less than need be.
  */
-static double length_radius(const task *task, double angle)
+static double length_radius(const task *task, double angle, double delta)
 {
     double radius = (double)INFINITY;
     for (size_t pose = 0; pose < task->n_poses; pose++) {
@@ -147,7 +147,8 @@ static double length_radius(const task *task, double angle)
             const row_norms norms = norms_of(task, pose, i);
             const double taken = norms.angles > 0 ? norms.angles * angle : 0;
             if (norms.lengths > 0) {
-                radius = fmin(radius, (task->limits[i] - taken) / norms.lengths);
+                /* delta at the least: rounding apart it is */
+                radius = fmin(radius, fmax(task->limits[i] - taken, delta) / norms.lengths);
             }
         }
     }
@@ -169,7 +170,7 @@ armtol_status armtol_sphere_bounds(const double matrix[], size_t n_poses, size_t
     }
     bounds->angle = fmin(least_radius(rows.angles, limits, delta, 0, 3),
                          least_radius(rows.angles, limits, 0, 3, 6));
-    bounds->distance = length_radius(&task, bounds->angle);
+    bounds->distance = length_radius(&task, bounds->angle, delta);
     return ARMTOL_OK;
 }
 

@@ -45,7 +45,8 @@ static double left_to_lengths(double tolerance, double delta, double angles, dou
     if (errata->distance_share) {
         return delta;
     }
-    return angles > 0 ? store(errata, tolerance - angles * bound) : tolerance;
+    /* delta at the least: rounding apart it is */
+    return angles > 0 ? store(errata, fmax(tolerance - angles * bound, delta)) : tolerance;
 }
 
 armtol_status armtol_norm_bounds(const double ordered[], size_t n_columns, size_t n_lengths,

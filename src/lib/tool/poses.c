@@ -4,6 +4,7 @@
 #include "lib/tool/pose_link.h"
 
 #include <math.h>
+#include <string.h>
 
 /* weights[i] = (scale / tolerances[i])^2; false where one does not fit a double. */
 static bool weigh(const double tolerances[], size_t n, double *scale, double weights[])
@@ -23,13 +24,13 @@ static bool weigh(const double tolerances[], size_t n, double *scale, double wei
 
 static bool weigh_all(armtol_poses *poses, const double tolerances[6], double delta)
 {
-    const double of_lengths[3] = {delta, delta, delta};
     double of_angles[6];
     for (int i = 0; i < 6; i++) {
         of_angles[i] = i < 3 ? tolerances[i] - delta : tolerances[i];
     }
-    return weigh(of_lengths, 3, &poses->length_scale, poses->length_weights) &&
-           weigh(of_angles, 6, &poses->angle_scale, poses->angle_weights);
+    memcpy(poses->limits, tolerances, sizeof poses->limits);
+    poses->delta = delta;
+    return weigh(of_angles, 6, &poses->angle_scale, poses->angle_weights);
 }
 
 static armtol_status check(const armtol_link links[], size_t n_links, const armtol_tool_point *tool,

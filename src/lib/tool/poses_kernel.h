@@ -35,20 +35,42 @@ LANE_INLINE void set_joint(const armtol_pose_link *link, const double *const q[L
  * The least over rows of tolerance / root of squares is scale / root of the largest weight squares, with
  * weight (scale / tolerance)^2: one root and one division instead of one a row.
  */
-LANE_INLINE void least_bound(const real squares[], size_t n_rows, const double weights[], double scale,
-                                    double bounds[LANES])
+LANE_INLINE void angle_bound(const armtol_poses *poses, const real squares[6], real *bound)
 {
     const real zero = {0};
     real largest = zero, sum = zero;
-    for (size_t i = 0; i < n_rows; i++) {
-        const real weighted = squares[i] * weights[i];
+    for (int i = 0; i < 6; i++) {
+        const real weighted = squares[i] * poses->angle_weights[i];
         make_larger(&largest, &weighted);
         sum += squares[i];
     }
     largest += sum * 0; /* a comparison passes nan over, a sum does not */
     take_root(&largest);
-    const real radius = scale / largest;
-    unload(&radius, bounds);
+    *bound = poses->angle_scale / largest;
+}
+
+/*
+ * Eq. (4.31): the least over rows of what the angles within their bound leave of the row's limit, over the root of the
+ * lengths' squares; as the inverse of the largest inverse, so that a row without a length needs no question. The
+ * angles' bound is finite: every kind of link counts an angle.
+ */
+LANE_INLINE void length_bound(const armtol_poses *poses, const real lengths[3], const real angles[3],
+                              const real *bound_of_angles, real *bound)
+{
+    const real zero = {0}, delta = zero + poses->delta;
+    real largest = zero, sum = zero;
+    for (int i = 0; i < 3; i++) {
+        real length = lengths[i], angle = angles[i];
+        take_root(&length);
+        take_root(&angle);
+        real left = poses->limits[i] - angle * *bound_of_angles;
+        make_larger(&left, &delta); /* rounding apart it is */
+        const real inverse = length / left;
+        make_larger(&largest, &inverse);
+        sum += inverse;
+    }
+    largest += sum * 0;
+    *bound = 1 / largest;
 }
 
 /* The second half: the frame has come to the end of the chain. */
@@ -62,12 +84,14 @@ LANE_INLINE void finish_poses(const armtol_poses *poses, const frame *last, cons
     for (size_t i = 0; i < poses->n_links; i++) {
         finish_link(poses->links[i].columns, matrix, &target, &squares);
     }
-    double distances[LANES], angles[LANES];
-    real of_angles[6];
+    real of_angles[6], angle, distance;
     memcpy(of_angles, squares.moving, sizeof squares.moving);
     memcpy(of_angles + 3, squares.turning, sizeof squares.turning);
-    least_bound(squares.lengths, 3, poses->length_weights, poses->length_scale, distances);
-    least_bound(of_angles, 6, poses->angle_weights, poses->angle_scale, angles);
+    angle_bound(poses, of_angles, &angle);
+    length_bound(poses, squares.lengths, squares.moving, &angle, &distance);
+    double distances[LANES], angles[LANES];
+    unload(&distance, distances);
+    unload(&angle, angles);
     for (int l = 0; l < LANES; l++) {
         bounds[l] = (armtol_bounds){distances[l], angles[l]};
     }

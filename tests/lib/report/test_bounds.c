@@ -85,6 +85,17 @@ static void test_each_row_can_set_the_distance_bound(void)
     }
 }
 
+/* What the angles leave is delta in the row that binds, though the difference may round to 0, below or above. */
+static void test_a_delta_far_below_the_tolerance_is_left(void)
+{
+    for (int i = 1; i < 200; i++) {
+        const double e = 0.1 * i;
+        const double tolerances[6] = {1000 * e, 1000 * e, e, 1000 * e, 1000 * e, 1000 * e};
+        const double distance = bounds_for(tolerances, 1e-300).distance;
+        TEST_ASSERT_TRUE(distance >= 1e-300 && distance < 1e-15 * e);
+    }
+}
+
 static void test_in_1987_the_longest_row_sets_the_distance_bound(void)
 {
     const double tolerances[6] = {1, 1, 1, 1, 1, 0.011};
@@ -201,6 +212,7 @@ int main(void)
     RUN_TEST(test_what_the_angles_leave_sets_the_distance_bound);
     RUN_TEST(test_the_lengths_get_what_rotations_keep_the_angles_from);
     RUN_TEST(test_each_row_can_set_the_distance_bound);
+    RUN_TEST(test_a_delta_far_below_the_tolerance_is_left);
     RUN_TEST(test_in_1987_the_longest_row_sets_the_distance_bound);
     RUN_TEST(test_bounds_are_inverse_to_the_matrix);
     RUN_TEST(test_an_arm_without_lengths_or_angles_is_not_bound_by_them);
