@@ -20,48 +20,40 @@ bool table_format_parse(const char *name, table_format *format)
     return false;
 }
 
-void table_start(table *table, size_t n_columns)
+/* Text, cut at its tabs, into the cells behind those of the last row. */
+static void take_cells(table *table, const char *format, va_list arguments)
 {
-    table->n_columns = n_columns < TABLE_COLUMNS ? n_columns : TABLE_COLUMNS;
-    table->n_rows = table->room = 0;
-    table->rows = NULL;
-}
-
-void table_free(table *table)
-{
-    free(table->rows);
-    table_start(table, 0);
-}
-
-table_row *table_add(table *table, const char *first_cell)
-{
-    table_row *rows = list_room(table->rows, table->n_rows, &table->room, sizeof *rows);
-    if (rows == NULL) {
-        return NULL;
+    char text[TABLE_COLUMNS * TABLE_CELL];
+    vsnprintf(text, sizeof text, format, arguments);
+    const char *at = text;
+    bool more = !table->failed;
+    while (more && table->n_cells < TABLE_COLUMNS) {
+        word_take(&at, "\t", table->rows[table->n_rows - 1].cells[table->n_cells++]);
+        more = *at++ != '\0';
     }
-    table->rows = rows;
-    table_row *row = &table->rows[table->n_rows++];
-    memset(row, 0, sizeof *row);
-    table_set(row, 0, "%s", first_cell);
-    return row;
+    table->n_columns = table->n_rows == 1 ? table->n_cells : table->n_columns;
 }
 
-bool table_add_head(table *table, const char *const cells[])
+void table_add(table *table, const char *format, ...)
 {
-    table_row *row = table_add(table, cells[0]);
-    for (size_t j = 1; row != NULL && j < table->n_columns; j++) {
-        table_set(row, j, "%s", cells[j]);
+    table_row *rows = table->failed ? NULL : list_room(table->rows, table->n_rows, &table->room, sizeof *rows);
+    table->failed = rows == NULL;
+    if (rows != NULL) {
+        va_list arguments;
+        table->rows = rows;
+        table->rows[table->n_rows++] = (table_row){{""}};
+        table->n_cells = 0;
+        va_start(arguments, format);
+        take_cells(table, format, arguments);
+        va_end(arguments);
     }
-    return row != NULL;
 }
 
-void table_set(table_row *row, size_t column, const char *format, ...)
+void table_add_cells(table *table, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
-    if (column < TABLE_COLUMNS) {
-        vsnprintf(row->cells[column], TABLE_CELL, format, arguments);
-    }
+    take_cells(table, format, arguments);
     va_end(arguments);
 }
 
@@ -113,12 +105,19 @@ static void print_rule(const table *table, FILE *stream)
     fputs("|\n", stream);
 }
 
-void table_print(const table *table, table_format format, FILE *stream)
+bool table_finish(table *table, const char *title, const char *remark, table_format format, FILE *stream)
 {
-    for (size_t i = 0; i < table->n_rows; i++) {
+    const bool fine = !table->failed;
+    if (fine && title != NULL) {
+        table_print_title(title, remark, format, stream);
+    }
+    for (size_t i = 0; i < table->n_rows && fine; i++) {
         print_row(table, &table->rows[i], format, stream);
         if (i == 0 && format == FORMAT_MARKDOWN) {
             print_rule(table, stream);
         }
     }
+    free(table->rows);
+    *table = (struct table)TABLE_EMPTY;
+    return fine;
 }

@@ -1,6 +1,8 @@
 #ifndef ARMTOL_CONSOLE_TABLE_H
 #define ARMTOL_CONSOLE_TABLE_H
 
+#include "console/word.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -12,43 +14,49 @@
 
 typedef enum table_format { FORMAT_TEXT, FORMAT_MARKDOWN, FORMAT_TSV, FORMAT_COUNT } table_format;
 
-enum { TABLE_COLUMNS = 12, TABLE_CELL = 64 };
+enum { TABLE_COLUMNS = 12, TABLE_CELL = WORD };
 
 typedef struct table_row {
     char cells[TABLE_COLUMNS][TABLE_CELL];
 } table_row;
 
 typedef struct table {
-    size_t n_columns;
-    size_t n_rows, room;
     table_row *rows; /* the first is the head */
+    size_t n_rows, room;
+    size_t n_columns; /* cells of the head */
+    size_t n_cells;   /* of the last row, so far */
+    bool failed;      /* memory was short: a message has said so, and nothing is added any more */
 } table;
 
 /* "text", "markdown" or "tsv", the argument of --format; false, after a message, for any other. */
 bool table_format_parse(const char *name, table_format *format);
 
-/* n_columns is at most TABLE_COLUMNS. */
-void table_start(table *table, size_t n_columns);
-void table_free(table *table);
+/* A table has no rows yet, nor anything to free. */
+#define TABLE_EMPTY {.rows = NULL}
 
 /*
- * A new row, to be used until the next is added, its cells empty but for the first; and the head, a row with all of
- * its cells. NULL and false, after a message, where memory is short.
+ * A new row, and more cells behind those of the last row: printf's text, cut into cells at its tabs. What is too long
+ * for a cell is cut, what is more than TABLE_COLUMNS left out. The first row is the head; cells that it does not have
+ * are not printed.
  */
-table_row *table_add(table *table, const char *first_cell);
-bool table_add_head(table *table, const char *const cells[]);
-
-/* printf into a cell; what is too long is cut. */
-void table_set(table_row *row, size_t column, const char *format, ...)
+void table_add(table *table, const char *format, ...)
 #ifdef __GNUC__
-    __attribute__((format(printf, 3, 4)))
+    __attribute__((format(printf, 2, 3)))
+#endif
+    ;
+void table_add_cells(table *table, const char *format, ...)
+#ifdef __GNUC__
+    __attribute__((format(printf, 2, 3)))
 #endif
     ;
 
 /* What stands above a table: its title and, unless it is NULL, a line on what is below. */
 void table_print_title(const char *title, const char *remark, table_format format, FILE *stream);
 
-/* The first column to the left, the others to the right. */
-void table_print(const table *table, table_format format, FILE *stream);
+/*
+ * Print a table, below its title unless that is NULL, and free it: the first column to the left, the others to the
+ * right. False where a row had found no memory: nothing is printed.
+ */
+bool table_finish(table *table, const char *title, const char *remark, table_format format, FILE *stream);
 
 #endif

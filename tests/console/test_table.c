@@ -26,62 +26,80 @@ static void check_printed(const char *expected, FILE *stream, table_format forma
     TEST_ASSERT_EQUAL_STRING_MESSAGE(expected, printed, names[format]);
 }
 
-static void check_table(const table *table, const char *const expected[FORMAT_COUNT])
+/* Fills a table. */
+typedef void filling(table *table);
+
+static void check_table(filling *fill, const char *const expected[FORMAT_COUNT])
 {
     for (int i = 0; i < FORMAT_COUNT; i++) {
+        table table = TABLE_EMPTY;
         FILE *stream = stream_of("", 0);
-        table_print(table, (table_format)i, stream);
+        fill(&table);
+        TEST_ASSERT_TRUE(table_finish(&table, NULL, NULL, (table_format)i, stream));
+        TEST_ASSERT_NULL(table.rows);
         check_printed(expected[i], stream, (table_format)i);
     }
 }
 
+static void fill_three(table *table)
+{
+    table_add(table, "name\tx\tlength");
+    table_add(table, "a\t%d\t%.1f", 7, 12345.5);
+    table_add(table, "longer");
+    table_add(table, "%s", "");
+    table_add_cells(table, "\t%d", 2);
+    table_add_cells(table, "%s", "not in the head");
+}
+
 static void test_three_formats(void)
 {
-    static const char *const head[] = {"name", "x", "length"};
-    table table;
-    table_start(&table, 3);
-    TEST_ASSERT_TRUE(table_add_head(&table, head));
-    table_row *row = table_add(&table, "a");
-    TEST_ASSERT_NOT_NULL(row);
-    table_set(row, 1, "%d", 7);
-    table_set(row, 2, "%.1f", 12345.5);
-    TEST_ASSERT_NOT_NULL(table_add(&table, "longer"));
     /* the second column is three wide: so wide has Markdown's rule to be */
-    check_table(&table, (const char *const[]){"  name      x   length\n"
-                                              "  a         7  12345.5\n"
-                                              "  longer              \n",
-                                              "| name   |   x |  length |\n"
-                                              "|--------|----:|--------:|\n"
-                                              "| a      |   7 | 12345.5 |\n"
-                                              "| longer |     |         |\n",
-                                              "name\tx\tlength\n"
-                                              "a\t7\t12345.5\n"
-                                              "longer\t\t\n"});
-    table_free(&table);
-    TEST_ASSERT_NULL(table.rows);
+    check_table(fill_three, (const char *const[]){"  name      x   length\n"
+                                                  "  a         7  12345.5\n"
+                                                  "  longer              \n"
+                                                  "                     2\n",
+                                                  "| name   |   x |  length |\n"
+                                                  "|--------|----:|--------:|\n"
+                                                  "| a      |   7 | 12345.5 |\n"
+                                                  "| longer |     |         |\n"
+                                                  "|        |     |       2 |\n",
+                                                  "name\tx\tlength\n"
+                                                  "a\t7\t12345.5\n"
+                                                  "longer\t\t\n"
+                                                  "\t\t2\n"});
+}
+
+static void fill_nothing(table *table)
+{
+    (void)table;
 }
 
 static void test_a_table_without_rows(void)
 {
-    table table;
-    table_start(&table, 2);
-    check_table(&table, (const char *const[]){"", "", ""});
-    table_free(&table);
+    check_table(fill_nothing, (const char *const[]){"", "", ""});
 }
 
 static void test_what_is_too_long_or_too_many_is_cut(void)
 {
-    table table;
-    table_start(&table, TABLE_COLUMNS + 1);
+    table table = TABLE_EMPTY;
+    table_add(&table, "%0*d\tb\tc", 2 * TABLE_CELL, 1);
+    TEST_ASSERT_EQUAL_UINT(3, table.n_columns);
+    TEST_ASSERT_EQUAL_UINT(TABLE_CELL - 1, strlen(table.rows[0].cells[0]));
+    TEST_ASSERT_EQUAL_STRING("b", table.rows[0].cells[1]);
+    for (int i = 3; i < TABLE_COLUMNS; i++) {
+        table_add_cells(&table, "%d", i);
+    }
+    const table_row before = table.rows[0];
+    table_add_cells(&table, "%d", TABLE_COLUMNS);
     TEST_ASSERT_EQUAL_UINT(TABLE_COLUMNS, table.n_columns);
-    table_row *row = table_add(&table, "");
-    TEST_ASSERT_NOT_NULL(row);
-    table_set(row, TABLE_COLUMNS - 1, "%0*d", 2 * TABLE_CELL, 1);
-    TEST_ASSERT_EQUAL_UINT(TABLE_CELL - 1, strlen(row->cells[TABLE_COLUMNS - 1]));
-    const table_row before = *row;
-    table_set(row, TABLE_COLUMNS, "%d", 1);
-    TEST_ASSERT_EQUAL_MEMORY(&before, row, sizeof before);
-    table_free(&table);
+    TEST_ASSERT_EQUAL_MEMORY(&before, &table.rows[0], sizeof before);
+    FILE *stream = stream_of("", 0);
+    table.failed = true; /* as where a row finds no memory */
+    table_add(&table, "another");
+    TEST_ASSERT_EQUAL_UINT(1, table.n_rows);
+    TEST_ASSERT_FALSE(table_finish(&table, "Title", NULL, FORMAT_TEXT, stream));
+    check_printed("", stream, FORMAT_TEXT);
+    TEST_ASSERT_NULL(table.rows);
 }
 
 static void test_titles(void)
@@ -95,6 +113,10 @@ static void test_titles(void)
         check_printed(plain[i], stream, (table_format)i);
         stream = stream_of("", 0);
         table_print_title("Title", "A remark.", (table_format)i, stream);
+        check_printed(more[i], stream, (table_format)i);
+        stream = stream_of("", 0);
+        table table = TABLE_EMPTY;
+        TEST_ASSERT_TRUE(table_finish(&table, "Title", "A remark.", (table_format)i, stream));
         check_printed(more[i], stream, (table_format)i);
     }
 }

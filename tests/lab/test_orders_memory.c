@@ -25,7 +25,7 @@ void tearDown(void)
 
 static void test_a_survey(void)
 {
-    check_short_main(joint_orders_main, (const char *const[]){"joint-orders", GIVEN, TEST_PUBLISHED, NULL}, 70);
+    check_short_main(joint_orders_main, (const char *const[]){"joint-orders", GIVEN, TEST_PUBLISHED, NULL}, 25);
 }
 
 static void test_a_table_that_cannot_be_opened(void)

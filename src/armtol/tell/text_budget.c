@@ -6,39 +6,27 @@
 
 enum { BAR = 60 };
 
-static void set_share(table_row *row, size_t i, double share)
+static void add_shares(table *table, const double shares[6])
 {
-    table_set(row, i + 1, isnan(share) ? "-" : "%.1f", 100 * share);
+    for (size_t i = 0; i < 6; i++) {
+        table_add_cells(table, isnan(shares[i]) ? "-" : "%.1f", 100 * shares[i]);
+    }
 }
 
 static bool print_table(const armtol_budget *budget)
 {
-    const char *head[7] = {"link"};
-    table table;
+    table table = TABLE_EMPTY;
+    table_add(&table, "link");
     for (size_t i = 0; i < 6; i++) {
-        head[i + 1] = armtol_component_name(i);
+        table_add_cells(&table, "%s", armtol_component_name(i));
     }
-    table_start(&table, 7);
-    bool fine = table_add_head(&table, head);
-    for (size_t r = 0; r < budget->n_rows && fine; r++) {
-        char label[TABLE_CELL];
-        snprintf(label, sizeof label, "%zu %s", budget->rows[r].link, armtol_role_name(budget->rows[r].role));
-        table_row *row = table_add(&table, label);
-        fine = row != NULL;
-        for (size_t i = 0; i < 6 && fine; i++) {
-            set_share(row, i, budget->rows[r].shares[i]);
-        }
+    for (size_t r = 0; r < budget->n_rows; r++) {
+        table_add(&table, "%zu %s", budget->rows[r].link, armtol_role_name(budget->rows[r].role));
+        add_shares(&table, budget->rows[r].shares);
     }
-    table_row *row = fine ? table_add(&table, "all motors") : NULL;
-    for (size_t i = 0; i < 6 && row != NULL; i++) {
-        set_share(row, i, budget->motors[i]);
-    }
-    if (row != NULL) {
-        table_print_title("Where the error comes from, % of each component", NULL, FORMAT_TEXT, stdout);
-        table_print(&table, FORMAT_TEXT, stdout);
-    }
-    table_free(&table);
-    return row != NULL;
+    table_add(&table, "all motors");
+    add_shares(&table, budget->motors);
+    return table_finish(&table, "Where the error comes from, % of each component", NULL, FORMAT_TEXT, stdout);
 }
 
 /* A link's sign in a bar: 0 to 9, then letters, then over again. */

@@ -5,111 +5,81 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Prints and frees a table. */
-static bool finish(table *table, const char *title, bool fine)
-{
-    if (fine) {
-        table_print_title(title, NULL, FORMAT_TEXT, stdout);
-        table_print(table, FORMAT_TEXT, stdout);
-    }
-    table_free(table);
-    return fine;
-}
-
-static table_row *add_numbered(table *table, size_t number)
-{
-    char label[TABLE_CELL];
-    snprintf(label, sizeof label, "%zu", number);
-    return table_add(table, label);
-}
-
-/* A dash where there is nothing to say. */
-static void set_digits(table_row *row, size_t column, int digits, double value)
+/* One cell more: a dash where there is nothing to say. */
+static void add_digits(table *table, int digits, double value)
 {
     if (isnan(value)) {
-        table_set(row, column, "-");
+        table_add_cells(table, "-");
     } else {
-        table_set(row, column, "%.*g", digits, value);
+        table_add_cells(table, "%.*g", digits, value);
     }
 }
 
-static void set_number(table_row *row, size_t column, double value)
+static void add_number(table *table, double value)
 {
-    set_digits(row, column, 6, value);
+    add_digits(table, 6, value);
 }
 
 bool text_parameters(const findings *findings)
 {
-    static const char *const head[] = {"link", "kind", "parameter", "moved by", "nominal", "tolerance", "unit"};
-    table table;
-    table_start(&table, sizeof head / sizeof head[0]);
-    bool fine = table_add_head(&table, head);
-    for (size_t k = 0; k < findings->answer->n_columns && fine; k++) {
+    table table = TABLE_EMPTY;
+    table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit");
+    for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row parameter = findings_parameter(findings, k);
-        table_row *row = add_numbered(&table, parameter.link);
-        fine = row != NULL;
-        if (fine) {
-            table_set(row, 1, "%s", parameter.kind);
-            table_set(row, 2, "%s", parameter.parameter);
-            table_set(row, 3, "%s", parameter.role);
-            set_number(row, 4, parameter.nominal);
-            set_number(row, 5, parameter.tolerance);
-            table_set(row, 6, "%s", parameter.unit);
-        }
+        table_add(&table, "%zu\t%s\t%s\t%s", parameter.link, parameter.kind, parameter.parameter, parameter.role);
+        add_number(&table, parameter.nominal);
+        add_number(&table, parameter.tolerance);
+        table_add_cells(&table, "%s", parameter.unit);
     }
-    return finish(&table, "Parameters", fine);
+    return table_finish(&table, "Parameters", NULL, FORMAT_TEXT, stdout);
 }
 
-static void fill_part(const findings *findings, size_t link, table_row *row)
+static void add_part(const findings *findings, size_t link, table *table)
 {
     const units *units = &findings->request->units;
     const armtol_part *part = &findings->answer->parts[link];
     const armtol_joint joint = findings->answer->links[link].joint;
     const bool slides = joint == ARMTOL_PRISMATIC;
-    set_number(row, 1, units_shown(units, true, part->distance));
-    set_number(row, 2, units_shown(units, false, part->angle));
-    set_number(row, 3, units_shown(units, slides, part->motor));
-    table_set(row, 4, "%s", joint == ARMTOL_FIXED ? "-" : units_name(units, slides));
-    set_number(row, 5, units_shown(units, slides, part->drive));
-    table_set(row, 6, "%s", isnan(part->drive) ? "-" : part->drive <= part->motor ? "yes" : "NO");
+    table_add(table, "%zu", link);
+    add_number(table, units_shown(units, true, part->distance));
+    add_number(table, units_shown(units, false, part->angle));
+    add_number(table, units_shown(units, slides, part->motor));
+    table_add_cells(table, "%s", joint == ARMTOL_FIXED ? "-" : units_name(units, slides));
+    add_number(table, units_shown(units, slides, part->drive));
+    table_add_cells(table, "%s", isnan(part->drive) ? "-" : part->drive <= part->motor ? "yes" : "NO");
 }
 
 bool text_parts(const findings *findings)
 {
-    static const char *const head[] = {"link", "distance", "angle", "motor", "unit", "its drive", "good enough"};
     const armtol_answer *answer = findings->answer;
     bool drives = false;
     for (size_t i = 0; i < answer->n_links; i++) {
         drives = drives || !isnan(findings->answer->parts[i].drive);
     }
-    table table;
-    table_start(&table, drives ? 7 : 5);
-    bool fine = table_add_head(&table, head);
-    for (size_t i = 0; i < answer->n_links && fine; i++) {
-        table_row *row = add_numbered(&table, i);
-        fine = row != NULL;
-        if (fine) {
-            fill_part(findings, i, row);
-        }
+    table table = TABLE_EMPTY;
+    table_add(&table, "link\tdistance\tangle\tmotor\tunit%s", drives ? "\tits drive\tgood enough" : "");
+    for (size_t i = 0; i < answer->n_links; i++) {
+        add_part(findings, i, &table);
     }
-    return finish(&table, "Parts: distance between the axes, smallest angle, motor", fine);
+    return table_finish(&table, "Parts: distance between the axes, smallest angle, motor", NULL, FORMAT_TEXT, stdout);
 }
 
-static void fill_component(const findings *findings, size_t i, table_row *row)
+static void add_component(const findings *findings, size_t i, table *table)
 {
     const request *request = findings->request;
     const double *accuracy = request->question.accuracy;
     const armtol_predicted *component = &findings->answer->components[i];
+    table_add(table, "%s", armtol_component_name(i));
     if (accuracy != NULL && isinf(accuracy[i])) {
-        table_set(row, 1, "free");
+        table_add_cells(table, "free");
     } else {
-        set_number(row, 1, accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
+        add_number(table, accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
     }
-    set_number(row, 2, findings_shown(findings, i, component->worst));
-    set_number(row, 3, findings_shown(findings, i, request->options->sigma * component->deviation));
-    set_number(row, 4, findings_shown(findings, i, component->remainder));
-    table_set(row, 5, "%s", units_name(&request->units, i < 3));
-    table_set(row, 6, component->binds > 5e-4 ? "%.1f %%" : "-", 100 * component->binds);
+    add_number(table, findings_shown(findings, i, component->worst));
+    add_number(table, findings_shown(findings, i, request->options->sigma * component->deviation));
+    add_number(table, findings_shown(findings, i, component->remainder));
+    table_add_cells(table, "%s", units_name(&request->units, i < 3));
+    table_add_cells(table, component->binds > 5e-4 ? "%.1f %%" : "-", 100 * component->binds);
 }
 
 bool text_components(const findings *findings)
@@ -117,35 +87,29 @@ bool text_components(const findings *findings)
     const request *request = findings->request;
     const bool optimum = request->tolerances == NULL && request->options->method != ARMTOL_METHOD_SPHERE;
     const bool along_tool = request->options->frame == ARMTOL_TOOL_FRAME;
-    char sigma[32];
-    snprintf(sigma, sizeof sigma, "%g sigma", request->options->sigma);
-    const char *const head[] = {"component", "accuracy", "worst case", sigma, "remainder", "unit", "held down by it"};
-    table table;
-    table_start(&table, optimum ? 7 : 6);
-    bool fine = table_add_head(&table, head);
-    for (size_t i = 0; i < 6 && fine; i++) {
-        table_row *row = table_add(&table, armtol_component_name(i));
-        fine = row != NULL;
-        if (fine) {
-            fill_component(findings, i, row);
-        }
+    table table = TABLE_EMPTY;
+    table_add(&table, "component\taccuracy\tworst case\t%g sigma\tremainder\tunit%s", request->options->sigma,
+              optimum ? "\theld down by it" : "");
+    for (size_t i = 0; i < 6; i++) {
+        add_component(findings, i, &table);
     }
-    return finish(&table, along_tool ? "Error of the tool, along its own axes" : "Error of the tool, along the base's axes",
-                  fine);
+    return table_finish(&table,
+                        along_tool ? "Error of the tool, along its own axes" : "Error of the tool, along the base's axes",
+                        NULL, FORMAT_TEXT, stdout);
 }
 
-static void fill_verified(const findings *findings, size_t i, table_row *row)
+static void add_verified(const findings *findings, size_t i, table *table)
 {
     const armtol_predicted *predicted = &findings->answer->components[i];
     const armtol_verified *component = &findings->verification->components[i];
-    size_t at = 1;
+    table_add(table, "%s, %s", armtol_component_name(i), units_name(&findings->request->units, i < 3));
     for (int j = 0; j < ARMTOL_QUANTILES; j++) {
-        set_digits(row, at++, 4, findings_shown(findings, i, component->quantiles[j]));
+        add_digits(table, 4, findings_shown(findings, i, component->quantiles[j]));
     }
-    set_digits(row, at++, 4, findings_shown(findings, i, component->worst_drawn));
-    set_digits(row, at++, 6, findings_shown(findings, i, component->worst_corner));
-    set_digits(row, at++, 6, findings_shown(findings, i, predicted->worst));
-    set_digits(row, at, 2, findings_shown(findings, i, predicted->remainder));
+    add_digits(table, 4, findings_shown(findings, i, component->worst_drawn));
+    add_digits(table, 6, findings_shown(findings, i, component->worst_corner));
+    add_digits(table, 6, findings_shown(findings, i, predicted->worst));
+    add_digits(table, 2, findings_shown(findings, i, predicted->remainder));
 }
 
 static void print_share(const findings *findings)
@@ -163,34 +127,20 @@ static void print_share(const findings *findings)
 
 bool text_verification(const findings *findings)
 {
-    char quantiles[ARMTOL_QUANTILES][24];
-    const char *head[ARMTOL_QUANTILES + 5] = {"error"};
-    size_t at = 1;
-    for (int j = 0; j < ARMTOL_QUANTILES; j++) {
-        snprintf(quantiles[j], sizeof quantiles[j], "%g %%", 100 * findings->verification->probabilities[j]);
-        head[at++] = quantiles[j];
-    }
-    head[at++] = "worst";
-    head[at++] = "corner";
-    head[at++] = "by A";
-    head[at++] = "remainder";
     char title[128];
-    table table;
-    table_start(&table, at);
-    bool fine = table_add_head(&table, head);
-    for (size_t i = 0; i < 6 && fine; i++) {
-        char label[TABLE_CELL];
-        snprintf(label, sizeof label, "%s, %s", armtol_component_name(i), units_name(&findings->request->units, i < 3));
-        table_row *row = table_add(&table, label);
-        fine = row != NULL;
-        if (fine) {
-            fill_verified(findings, i, row);
-        }
+    table table = TABLE_EMPTY;
+    table_add(&table, "error");
+    for (int j = 0; j < ARMTOL_QUANTILES; j++) {
+        table_add_cells(&table, "%g %%", 100 * findings->verification->probabilities[j]);
+    }
+    table_add_cells(&table, "worst\tcorner\tby A\tremainder");
+    for (size_t i = 0; i < 6; i++) {
+        add_verified(findings, i, &table);
     }
     snprintf(title, sizeof title, "%llu arms drawn within the tolerances (seed %llu): errors not exceeded by",
              (unsigned long long)findings->verification->drawn,
              (unsigned long long)findings->request->options->seed);
-    fine = finish(&table, title, fine);
+    const bool fine = table_finish(&table, title, NULL, FORMAT_TEXT, stdout);
     if (fine) {
         print_share(findings);
     }

@@ -29,8 +29,7 @@ static bool read_case(const published_list *list, size_t first, size_t n_wish_wa
         }
         const int joint = number->role == ROLE_RESULT ? joint_of(number->quantity) : -1;
         if (number->role == ROLE_POSITION && n_wish < MOST_WISH) {
-            const double value = strtod(number->value, NULL);
-            evidence->wishes[evidence->n_cases][n_wish++] = armtol_stored(&armtol_errata_1987, value);
+            evidence->wishes[evidence->n_cases][n_wish++] = stored(strtod(number->value, NULL));
         } else if (joint >= 0 && (size_t)joint < evidence->n_joints) {
             evidence->numbers[at + (size_t)joint] = number;
             evidence->printed[at + (size_t)joint] = printed_of(strtod(number->value, NULL));
@@ -72,12 +71,15 @@ size_t evidence_count(const evidence *evidence)
     return evidence->n_cases * evidence->n_joints;
 }
 
-unsigned long evidence_misses(const evidence *evidence, size_t case_index, const double q[])
+unsigned long evidence_misses(const evidence *evidence, const family *family, const configuration *how,
+                              double q[MOST_VALUES])
 {
-    const size_t at = case_index * evidence->n_joints;
     unsigned long misses = 0;
-    for (size_t i = at; i < at + evidence->n_joints; i++) {
-        misses |= (unsigned long)!(printed_of(q[i - at]) == evidence->printed[i]) << i;
+    for (size_t i = 0; i < evidence->n_cases; i++) {
+        family->solve(how, evidence->wishes[i], &q[i * evidence->n_joints]);
+    }
+    for (size_t i = 0; i < evidence_count(evidence); i++) {
+        misses |= (unsigned long)!(printed_of(q[i]) == evidence->printed[i]) << i;
     }
     return misses;
 }

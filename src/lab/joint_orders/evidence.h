@@ -19,7 +19,8 @@ bool evidence_find(const published_list *list, const family *family, evidence *e
 
 size_t evidence_count(const evidence *evidence);
 
-/* The values of the case, a bit each, that q misses. */
-unsigned long evidence_misses(const evidence *evidence, size_t case_index, const double q[]);
+/* Solves all cases, q one case behind the other; returns the values that the configuration misses, a bit each. */
+unsigned long evidence_misses(const evidence *evidence, const family *family, const configuration *how,
+                              double q[MOST_VALUES]);
 
 #endif

@@ -1,7 +1,10 @@
 #include "lab/joint_orders/family.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
+
+const family *const families[FAMILIES] = {&family_intelledex, &family_adept};
 
 size_t choice_count(const choice *choice)
 {
@@ -17,16 +20,14 @@ configuration family_default(void)
     return (configuration){{0}};
 }
 
-const family *const families[FAMILIES] = {&family_intelledex, &family_adept};
-
-bool family_restrict(const family *family, const char *text, size_t length, restriction *given)
+bool family_restrict(const family *family, const char *text, restriction *given)
 {
     for (size_t i = 0; i < family->n_choices; i++) {
         const choice *choice = &family->choices[i];
         for (size_t j = 0; j < choice_count(choice); j++) {
-            const size_t n = strlen(choice->name), m = strlen(choice->options[j].name);
-            if (length == n + 1 + m && strncmp(text, choice->name, n) == 0 && text[n] == '=' &&
-                strncmp(text + n + 1, choice->options[j].name, m) == 0) {
+            char name[64];
+            snprintf(name, sizeof name, "%s=%s", choice->name, choice->options[j].name);
+            if (strcmp(text, name) == 0) {
                 given->restricted[i] = true;
                 given->option[i] = (unsigned char)j;
                 return true;
@@ -38,55 +39,21 @@ bool family_restrict(const family *family, const char *text, size_t length, rest
 
 bool family_allows(const family *family, const restriction *given, const configuration *configuration)
 {
-    for (size_t i = 0; i < family->n_choices; i++) {
-        if (given->restricted[i] && configuration->option[i] != given->option[i] &&
-            family->matters(configuration, i)) {
-            return false;
-        }
+    bool allowed = family->makes_sense == NULL || family->makes_sense(configuration);
+    for (size_t i = 0; i < family->n_choices && allowed; i++) {
+        const int option = configuration->option[i];
+        allowed = family->matters(configuration, i) ? !given->restricted[i] || option == given->option[i] : option == 0;
     }
-    return true;
+    return allowed;
 }
 
-static bool counts(const family *family, const configuration *configuration)
-{
-    if (family->makes_sense != NULL && !family->makes_sense(configuration)) {
-        return false;
-    }
-    for (size_t i = 0; i < family->n_choices; i++) {
-        if (configuration->option[i] != 0 && !family->matters(configuration, i)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* The next option of a choice that may be allowed; 0, which it has where it does not matter, always is. */
-static unsigned char next_option(const family *family, const restriction *given, size_t choice,
-                                 unsigned char option)
-{
-    if (given->restricted[choice]) {
-        return option < given->option[choice] ? given->option[choice] : 0;
-    }
-    return (unsigned char)((option + 1u) % choice_count(&family->choices[choice]));
-}
-
-static bool advance(const family *family, const restriction *given, configuration *configuration)
+bool family_next(const family *family, configuration *configuration)
 {
     for (size_t i = family->n_choices; i-- > 0;) {
-        configuration->option[i] = next_option(family, given, i, configuration->option[i]);
-        if (configuration->option[i] != 0) {
+        if (++configuration->option[i] < choice_count(&family->choices[i])) {
             return true;
         }
-    }
-    return false;
-}
-
-bool family_next(const family *family, const restriction *given, configuration *configuration)
-{
-    while (advance(family, given, configuration)) {
-        if (counts(family, configuration) && family_allows(family, given, configuration)) {
-            return true;
-        }
+        configuration->option[i] = 0;
     }
     return false;
 }
@@ -100,13 +67,14 @@ size_t family_changes(const family *family, const configuration *configuration)
     return n;
 }
 
-void family_solve(const family *family, const configuration *how, const double wish[], double q[])
+double stored(double value)
 {
-    progress progress;
-    for (size_t i = 0; i < family->n_steps; i++) {
-        family->steps[i](how, wish, &progress);
-    }
-    memcpy(q, progress.q, family->robot->n_joints * sizeof q[0]);
+    return armtol_stored(&armtol_errata_1987, value);
+}
+
+double kept(const choice *choices, const configuration *how, size_t choice, double value)
+{
+    return choices[choice].options[how->option[choice]].name[0] == 'f' ? stored(value) : value;
 }
 
 double printed_of(double q)

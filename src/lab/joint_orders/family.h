@@ -16,41 +16,27 @@
  * invtrf, multiplied by mpynn; PI is 3.14159; tclose is 0.
  */
 
-enum { MOST_CHOICES = 24, MOST_OPTIONS = 6, MOST_JOINTS = 6, MOST_WISH = 6 };
-
-typedef struct choice_option {
-    const char *name;
-    const char *meaning;
-} choice_option;
+enum { MOST_CHOICES = 16, MOST_OPTIONS = 6, MOST_JOINTS = 6, MOST_WISH = 6 };
 
 typedef struct choice {
-    const char *name;
-    const char *subject;
-    size_t step; /* no earlier step looks at it */
-    choice_option options[MOST_OPTIONS];
+    const char *name, *subject;
+    struct {
+        const char *name, *meaning;
+    } options[MOST_OPTIONS];
 } choice;
 
 typedef struct configuration {
     unsigned char option[MOST_CHOICES];
 } configuration;
 
-/* What the steps have found so far; what an arm has no use for is never set. */
-typedef struct progress {
-    double q[MOST_JOINTS];
-    armtol_transform t06, t05;
-    double q345, px, py; /* q3 + q4 + q5, the wrist in the plane of links 3 and 4 */
-} progress;
-
-/* One step of the way from a wish to joint values, done as a configuration says. */
-typedef void (*step)(const configuration *how, const double wish[], progress *progress);
-
 typedef struct family {
     const char *program; /* of 1987 */
     const armtol_robot *robot;
     const choice *choices;
     size_t n_choices;
-    const step *steps;
-    size_t n_steps;
+
+    /* Joint values, done as a configuration says; nan where there are none. */
+    void (*solve)(const configuration *how, const double wish[], double q[]);
 
     /* Whether that choice can make a difference in this configuration. */
     bool (*matters)(const configuration *how, size_t choice);
@@ -76,24 +62,33 @@ typedef struct restriction {
     unsigned char option[MOST_CHOICES];
 } restriction;
 
-/* Add "choice=option", so many characters, to a restriction. False where the family has no such option. */
-bool family_restrict(const family *family, const char *text, size_t length, restriction *given);
-
-/* Whether no choice that matters in the configuration has another option than is given. */
-bool family_allows(const family *family, const restriction *given, const configuration *configuration);
+/* Add "choice=option" to a restriction. False where the family has no such option. */
+bool family_restrict(const family *family, const char *text, restriction *given);
 
 /*
- * All configurations that make sense and are allowed, the last choice changing fastest: wants the one before,
- * the first time the default. Where a choice does not matter it is left at option 0, so that what is the same
- * counts once. False: there is none left.
+ * Whether the configuration is one to try: it makes sense, no choice that matters in it has another option than is
+ * given, and a choice that does not matter is at option 0, so that what is the same counts once.
  */
-bool family_next(const family *family, const restriction *given, configuration *configuration);
+bool family_allows(const family *family, const restriction *given, const configuration *configuration);
+
+/* The configuration behind this one, to try or not, the last choice changing fastest; false behind the last. */
+bool family_next(const family *family, configuration *configuration);
 
 /* The number of choices in which it is not the default. */
 size_t family_changes(const family *family, const configuration *configuration);
 
-/* Joint values; nan where there are none. */
-void family_solve(const family *family, const configuration *how, const double wish[], double q[]);
+/* ---- for the steps ---- */
+
+#define HEADER_PI 3.14159 /* the macro of both robots' headers */
+
+/* The value as a float keeps it: every variable and array of the listing is one. */
+double stored(double value);
+
+/*
+ * The value as the option of its choice keeps it: stored by one that is called "float", unchanged by one that is
+ * called "double", which leaves it a part of a longer expression.
+ */
+double kept(const choice *choices, const configuration *how, size_t choice, double value);
 
 /*
  * A joint value as %.6f prints it, in millionths. Exact for a float, whose product with 10^6 a double holds;

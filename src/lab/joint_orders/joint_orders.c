@@ -8,16 +8,15 @@
 
 #include <stdio.h>
 
-/* The other parts do with a family and the evidence. */
-static bool needs_survey(const orders_options *options)
+static bool run_and_print(survey surveys[FAMILIES], const orders_options *options)
 {
-    return options->show[PART_HISTOGRAM] || options->show[PART_CHOICES] || options->show[PART_OPEN] ||
-           options->show[PART_MISSES] || options->show[PART_ALL];
-}
-
-static bool print_parts(const survey surveys[FAMILIES], const orders_options *options)
-{
-    bool fine = true;
+    bool needed = false, fine = true;
+    for (int part = 0; part < PART_COUNT; part++) { /* these two have no need of a survey */
+        needed = needed || (options->show[part] && part != PART_FAMILY && part != PART_MARGINS);
+    }
+    for (int i = 0; i < FAMILIES && fine && needed; i++) {
+        fine = survey_run(&surveys[i], &options->given[i]);
+    }
     for (int part = 0; part < PART_COUNT && fine; part++) {
         fine = !options->show[part] || orders_print((orders_part)part, surveys, options->format);
     }
@@ -26,19 +25,13 @@ static bool print_parts(const survey surveys[FAMILIES], const orders_options *op
 
 static int survey_families(const published_list *list, const orders_options *options)
 {
-    evidence evidence[FAMILIES];
     survey surveys[FAMILIES];
-    bool fine = true;
     for (int i = 0; i < FAMILIES; i++) {
-        if (!evidence_find(list, families[i], &evidence[i])) {
+        if (!survey_start(&surveys[i], list, families[i])) {
             return EXIT_WRONG;
         }
-        surveys[i] = survey_start(families[i], &evidence[i]);
     }
-    for (int i = 0; i < FAMILIES && fine && needs_survey(options); i++) {
-        fine = survey_run(&surveys[i], &options->given[i]);
-    }
-    fine = fine && print_parts(surveys, options);
+    const bool fine = run_and_print(surveys, options);
     for (int i = 0; i < FAMILIES; i++) {
         survey_free(&surveys[i]);
     }

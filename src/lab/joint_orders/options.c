@@ -3,6 +3,7 @@
 #include "console/exit_code.h"
 #include "console/flags.h"
 #include "console/message.h"
+#include "console/word.h"
 
 #include <string.h>
 
@@ -33,57 +34,42 @@ void orders_options_help(void)
            "Exit status: 0 done, 2 wrong input or usage, 1 any other failure.\n");
 }
 
-static const char *quote_item(const char *item, size_t length, quoted *quote)
-{
-    char text[64];
-    snprintf(text, sizeof text, "%.*s", length < sizeof text ? (int)length : (int)sizeof text - 1, item);
-    return message_quote(text, quote);
-}
+typedef bool word_parser(const char *word, orders_options *options);
 
-/* One item of a list, up to a comma or the end. */
-typedef bool (*item_parser)(const char *item, size_t length, orders_options *options);
-
-static bool parse_list(const char *list, item_parser parse, orders_options *options)
+static bool parse_list(const char *list, word_parser *parse, orders_options *options)
 {
-    for (;;) {
-        const size_t length = strcspn(list, ",");
-        if (!parse(list, length, options)) {
-            return false;
-        }
-        if (list[length] == '\0') {
+    char word[WORD];
+    word_take(&list, ",", word); /* no name is so long that it would be cut */
+    while (parse(word, options)) {
+        if (*list++ == '\0') {
             return true;
         }
-        list += length + 1;
+        word_take(&list, ",", word);
     }
+    return false;
 }
 
-static bool parse_part(const char *name, size_t length, orders_options *options)
+static bool parse_part(const char *name, orders_options *options)
 {
     for (int i = 0; i < PART_COUNT; i++) {
-        if (strlen(orders_part_names[i]) == length && strncmp(name, orders_part_names[i], length) == 0) {
+        if (strcmp(name, orders_part_names[i]) == 0) {
             options->show[i] = true;
             return true;
         }
     }
-    message("--show: unknown part %s; expected parts as in --help", quote_item(name, length, &(quoted){""}));
+    message("--show: unknown part %s; expected parts as in --help", message_quote(name, &(quoted){""}));
     return false;
 }
 
-static bool parse_show(const char *list, orders_options *options)
-{
-    memset(options->show, 0, sizeof options->show);
-    return parse_list(list, parse_part, options);
-}
-
-static bool parse_given(const char *text, size_t length, orders_options *options)
+static bool parse_given(const char *text, orders_options *options)
 {
     bool known = false;
     for (int i = 0; i < FAMILIES; i++) {
-        known = family_restrict(families[i], text, length, &options->given[i]) || known;
+        known = family_restrict(families[i], text, &options->given[i]) || known;
     }
     if (!known) {
         message("--given: unknown option %s; expected CHOICE=OPTION as in --show=family",
-                quote_item(text, length, &(quoted){""}));
+                message_quote(text, &(quoted){""}));
     }
     return known;
 }
@@ -99,7 +85,8 @@ static bool take(int option, const char *argument, void *context)
     orders_options *options = context;
     switch (option) {
     case 's':
-        return parse_show(argument, options);
+        memset(options->show, 0, sizeof options->show);
+        return parse_list(argument, parse_part, options);
     case 'g':
         return parse_list(argument, parse_given, options);
     case 'f':

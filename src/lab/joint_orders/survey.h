@@ -26,18 +26,18 @@ typedef struct closest_miss {
 
 typedef struct survey {
     const family *family;
-    const evidence *evidence;
+    evidence evidence;
     uint64_t configurations;
     uint64_t by_score[MOST_VALUES + 1]; /* how many give so many values */
     option_tally tallies[MOST_CHOICES][MOST_OPTIONS];
     configuration *all; /* that give all values, from the default on */
-    size_t n_all;
+    size_t n_all, all_room;
     closest_miss *misses; /* in the order in which they were met */
-    size_t n_misses;
+    size_t n_misses, misses_room;
 } survey;
 
-/* Of no configurations yet. */
-survey survey_start(const family *family, const evidence *evidence);
+/* Of no configurations yet. False, after a message, where the list lacks evidence for the family. */
+bool survey_start(survey *survey, const published_list *list, const family *family);
 
 /* Add those that are allowed. False, after a message, where memory is short. */
 bool survey_run(survey *survey, const restriction *given);
@@ -45,8 +45,5 @@ void survey_free(survey *survey);
 
 /* How many pairs, one configuration of each family, give so many values together: by_score has a place for each. */
 void survey_pairs(const survey *one, const survey *other, uint64_t by_score[2 * MOST_VALUES + 1]);
-
-/* The values that a configuration misses, a bit each. */
-unsigned long survey_misses(const survey *survey, const configuration *configuration);
 
 #endif

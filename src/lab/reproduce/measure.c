@@ -7,18 +7,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Distance and angle bound of a case with these errata, in two neighbouring cells. */
-static bool set_bounds(const published_list *list, size_t first, const armtol_errata *errata, table_row *row,
-                       size_t column)
+/* Distance and angle bound of a case with these errata, in two more cells. */
+static bool add_bounds(const published_list *list, size_t first, const armtol_errata *errata, table *table)
 {
     analysis analysis;
-    if (!recompute(list, first, errata, &analysis)) {
-        return false;
+    const bool fine = !table->failed && recompute(list, first, errata, &analysis);
+    if (fine) {
+        table_add_cells(table, "%.6f\t%.6f", analysis.bounds.distance, analysis.bounds.angle);
+        analysis_free(&analysis);
     }
-    table_set(row, column, "%.6f", analysis.bounds.distance);
-    table_set(row, column + 1, "%.6f", analysis.bounds.angle);
-    analysis_free(&analysis);
-    return true;
+    return fine;
 }
 
 static armtol_errata with_one(armtol_errata errata, const char *id, bool keep)
@@ -29,35 +27,30 @@ static armtol_errata with_one(armtol_errata errata, const char *id, bool keep)
 
 static bool errata_rows(const published_list *list, size_t first, table *table)
 {
-    static const char *const head[] = {"erratum",      "without it: mm", "without it: rad",
-                                       "it alone: mm", "it alone: rad"};
-    table_row *row;
-    bool fine = table_add_head(table, head) && (row = table_add(table, "(all as of 1987; none)")) != NULL &&
-                set_bounds(list, first, &armtol_errata_1987, row, 1) &&
-                set_bounds(list, first, &armtol_errata_none, row, 3);
+    table_add(table, "erratum\twithout it: mm\twithout it: rad\tit alone: mm\tit alone: rad");
+    table_add(table, "(all as of 1987; none)");
+    bool fine = add_bounds(list, first, &armtol_errata_1987, table) &&
+                add_bounds(list, first, &armtol_errata_none, table);
     for (size_t i = 0; i < armtol_errata_count() && fine; i++) {
         const char *id = armtol_erratum(i)->id;
         const armtol_errata without = with_one(armtol_errata_1987, id, false);
         const armtol_errata alone = with_one(armtol_errata_none, id, true);
-        row = table_add(table, id);
-        fine = row != NULL && set_bounds(list, first, &without, row, 1) && set_bounds(list, first, &alone, row, 3);
+        table_add(table, "%s", id);
+        fine = add_bounds(list, first, &without, table) && add_bounds(list, first, &alone, table);
     }
     return fine;
 }
 
 static bool walk_rows(const published_list *list, size_t first, table *table)
 {
-    static const char *const head[] = {"corrected so far", "distance bound, mm", "angle bound, rad"};
     armtol_errata errata = armtol_errata_1987;
-    table_row *row;
-    bool fine = table_add_head(table, head) && (row = table_add(table, "nothing")) != NULL &&
-                set_bounds(list, first, &errata, row, 1);
+    table_add(table, "corrected so far\tdistance bound, mm\tangle bound, rad");
+    table_add(table, "nothing");
+    bool fine = add_bounds(list, first, &errata, table);
     for (size_t i = 0; i < armtol_errata_count() && fine; i++) {
-        char label[TABLE_CELL];
-        snprintf(label, sizeof label, "+ %s", armtol_erratum(i)->id);
         errata = with_one(errata, armtol_erratum(i)->id, false);
-        row = table_add(table, label);
-        fine = row != NULL && set_bounds(list, first, &errata, row, 1);
+        table_add(table, "+ %s", armtol_erratum(i)->id);
+        fine = add_bounds(list, first, &errata, table);
     }
     return fine;
 }
@@ -94,70 +87,59 @@ static bool recompute_ways(const published_list *list, size_t first, char *files
 }
 
 /* One published number and what each way makes of it; a star where they differ. */
-static bool add_ways(const published_number *number, char *const files[WAYS], size_t agreeing[WAYS], table *table)
+static void add_ways(const published_number *number, char *const files[WAYS], size_t agreeing[WAYS], table *table)
 {
-    char label[2 * TABLE_CELL]; /* the cell cuts it */
-    snprintf(label, sizeof label, "%s %d: %s", number->program, number->case_number, number->quantity);
-    table_row *row = table_add(table, label);
-    if (row == NULL) {
-        return false;
-    }
-    table_set(row, 1, "%s", number->value);
+    table_add(table, "%s %d: %s\t%s", number->program, number->case_number, number->quantity, number->value);
     for (int w = 0; w < WAYS; w++) {
         const comparison comparison = compare_number(number, files[w]);
         const bool agrees = compare_agrees(&comparison);
         agreeing[w] += agrees;
-        table_set(row, (size_t)w + 2, "%s%s", agrees ? "" : "* ", comparison.computed);
+        table_add_cells(table, "%s%s", agrees ? "" : "* ", comparison.computed);
     }
-    return true;
 }
 
 static bool portability_rows(const published_list *list, table *table)
 {
-    static const char *const head[] = {"number",       "published",         "float, 3.14159",
-                                       "float, pi", "double, 3.14159", "double, pi"};
     char *files[WAYS] = {NULL};
     size_t agreeing[WAYS] = {0}, results = 0;
-    bool fine = table_add_head(table, head);
+    bool fine = true;
+    table_add(table, "number\tpublished\tfloat, 3.14159\tfloat, pi\tdouble, 3.14159\tdouble, pi");
     for (size_t i = 0; i < list->count && fine; i++) {
         if (published_begins_case(list, i)) {
-            fine = recompute_ways(list, i, files);
+            fine = !table->failed && recompute_ways(list, i, files);
         }
         if (fine && list->numbers[i].role == ROLE_RESULT) {
-            fine = add_ways(&list->numbers[i], files, agreeing, table);
+            add_ways(&list->numbers[i], files, agreeing, table);
             results++;
         }
     }
     free_files(files);
-    table_row *row = fine ? table_add(table, "reproduced") : NULL;
-    for (int w = 0; w < WAYS && row != NULL; w++) {
-        table_set(row, (size_t)w + 2, "%zu of %zu", agreeing[w], results);
+    table_add(table, "reproduced\t");
+    for (int w = 0; w < WAYS; w++) {
+        table_add_cells(table, "%zu of %zu", agreeing[w], results);
     }
-    return row != NULL;
+    return fine;
 }
 
-static void print_title(const published_number *number, table_format format)
+/* Print the table under its title unless rows were not to be had; free it. */
+static bool finish(table *table, bool fine, const char *title, table_format format)
 {
-    char title[TABLE_CELL];
-    snprintf(title, sizeof title, "%s, case %d", number->program, number->case_number);
-    table_print_title(title, NULL, format, stdout);
+    table->failed = table->failed || !fine;
+    return table_finish(table, title, NULL, format, stdout);
 }
 
 /* One table a case. */
-static bool tables(const published_list *list, table_format format, size_t n_columns,
+static bool tables(const published_list *list, table_format format,
                    bool (*rows)(const published_list *, size_t, table *))
 {
     bool fine = true;
     for (size_t i = 0; i < list->count && fine; i++) {
         if (published_begins_case(list, i)) {
-            table table;
-            table_start(&table, n_columns);
+            char title[TABLE_CELL];
+            table table = TABLE_EMPTY;
+            snprintf(title, sizeof title, "%s, case %d", list->numbers[i].program, list->numbers[i].case_number);
             fine = rows(list, i, &table);
-            if (fine) {
-                print_title(&list->numbers[i], format);
-                table_print(&table, format, stdout);
-            }
-            table_free(&table);
+            fine = finish(&table, fine, title, format);
         }
     }
     return fine;
@@ -165,22 +147,17 @@ static bool tables(const published_list *list, table_format format, size_t n_col
 
 bool measure_errata(const published_list *list, table_format format)
 {
-    return tables(list, format, 5, errata_rows);
+    return tables(list, format, errata_rows);
 }
 
 bool measure_walk(const published_list *list, table_format format)
 {
-    return tables(list, format, 3, walk_rows);
+    return tables(list, format, walk_rows);
 }
 
 bool measure_portability(const published_list *list, table_format format)
 {
-    table table;
-    table_start(&table, 2 + WAYS);
+    table table = TABLE_EMPTY;
     const bool fine = portability_rows(list, &table);
-    if (fine) {
-        table_print(&table, format, stdout);
-    }
-    table_free(&table);
-    return fine;
+    return finish(&table, fine, NULL, format);
 }
