@@ -312,6 +312,13 @@ static void test_what_is_missing(void)
     file_check(file.text, "in the way\n", "the file in the way");
 }
 
+static void test_a_folder_of_too_long_a_name(void)
+{
+    static char name[5000];
+    memset(name, 'a', sizeof name - 1);
+    check_fails(TEST_PROGRAMS, TEST_PUBLISHED, name, ": File name too long\n");
+}
+
 static void test_no_room_for_the_input(void)
 {
     const string out = folder_new(), set = folder_below(out.text, "1987"), first = folder_below(set.text, "intella-1");
@@ -548,6 +555,7 @@ int main(void)
     RUN_TEST(test_broken_tables);
     RUN_TEST(test_case_that_is_only_partly_a_number);
     RUN_TEST(test_what_is_missing);
+    RUN_TEST(test_a_folder_of_too_long_a_name);
     RUN_TEST(test_no_room_for_the_input);
     RUN_TEST(test_table_that_cannot_be_read);
     RUN_TEST(test_programs_that_fail);

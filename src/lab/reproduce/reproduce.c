@@ -211,18 +211,12 @@ static bool report(const run_settings *settings, const published_list *list, boo
 
 static bool run_and_compare(const arguments *arguments, const published_list *list)
 {
-    char *out_1987 = path_of("%s/1987", arguments->out);
-    char *out_corrected = out_1987 != NULL ? path_of("%s/corrected", arguments->out) : NULL;
-    bool fine = out_1987 != NULL && out_corrected != NULL;
-    if (fine) {
-        const run_settings as_1987 = {arguments->programs, NULL, out_1987, arguments->legacy, arguments->runner};
-        const run_settings corrected = {arguments->programs, "all", out_corrected, false, ""};
-        fine = run_all(&as_1987, list) && (arguments->legacy || run_all(&corrected, list)) &&
-               (arguments->quiet || report(&as_1987, list, arguments->only_misses));
-    }
-    free(out_1987);
-    free(out_corrected);
-    return fine;
+    path out_1987, out_corrected;
+    const run_settings as_1987 = {arguments->programs, NULL, out_1987.text, arguments->legacy, arguments->runner};
+    const run_settings corrected = {arguments->programs, "all", out_corrected.text, false, ""};
+    return path_of(&out_1987, "%s/1987", arguments->out) && path_of(&out_corrected, "%s/corrected", arguments->out) &&
+           run_all(&as_1987, list) && (arguments->legacy || run_all(&corrected, list)) &&
+           (arguments->quiet || report(&as_1987, list, arguments->only_misses));
 }
 
 static bool reproduce(const arguments *arguments, const published_list *list)

@@ -27,50 +27,39 @@ static bool complain(const char *path)
     return false;
 }
 
-char *path_of(const char *format, ...)
+bool path_of(path *path, const char *format, ...)
 {
-    va_list arguments, again;
+    va_list arguments;
     va_start(arguments, format);
-    va_copy(again, arguments);
-    const int length = vsnprintf(NULL, 0, format, arguments);
-    char *path = length < 0 ? NULL : malloc((size_t)length + 1);
-    if (path != NULL) {
-        vsnprintf(path, (size_t)length + 1, format, again);
-    } else {
-        out_of_memory();
-    }
-    va_end(again);
+    const int length = vsnprintf(path->text, sizeof path->text, format, arguments);
     va_end(arguments);
-    return path;
+    errno = ENAMETOOLONG;
+    return (length >= 0 && (size_t)length < sizeof path->text) || complain(path->text);
 }
 
-bool make_folders(const char *path)
+static bool make_folders(const path *folder)
 {
-    char *part = path_of("%s", path);
-    bool fine = part != NULL;
-    for (char *slash = part; fine && slash != NULL;) {
+    path part = *folder;
+    bool fine = true;
+    for (char *slash = part.text; fine && slash != NULL;) {
         slash = strchr(slash + 1, '/');
         if (slash != NULL) {
             *slash = '\0';
         }
-        fine = mkdir(part, 0777) == 0 || errno == EEXIST || complain(part);
+        fine = mkdir(part.text, 0777) == 0 || errno == EEXIST || complain(part.text);
         if (slash != NULL) {
             *slash = '/';
         }
     }
-    free(part);
     return fine;
 }
 
 /* A file of report_files in a case's folder. */
-static char *path_of_file(const char *folder, const program *program, int file)
+static bool path_of_file(path *path, const run_settings *settings, const published_number *number, int file)
 {
-    return path_of("%s/%s%s.1", folder, program->file_prefix, report_files[file].part);
-}
-
-static char *case_folder(const run_settings *settings, const published_number *number)
-{
-    return path_of("%s/%s-%d", settings->out, number->program, number->case_number);
+    const program *program = program_named(number->program);
+    return program != NULL && path_of(path, "%s/%s-%d/%s%s.1", settings->out, number->program, number->case_number,
+                                      program->file_prefix, report_files[file].part);
 }
 
 /* What a person would type, a line for each question. */
@@ -145,56 +134,44 @@ static bool judge(int status, const char *program, const char *dialogue)
     return status == 0;
 }
 
-static bool run_port(const run_settings *settings, char *program, const char *folder, const char *input,
-                     const char *dialogue)
+/* The places of a case. */
+typedef struct places {
+    path folder, input, dialogue, program;
+} places;
+
+static bool run_port(const run_settings *settings, places *at)
 {
-    char *output = path_of("--output=%s", folder);
-    char *fix = output != NULL ? path_of("--fix=%s", settings->fix != NULL ? settings->fix : "") : NULL;
-    char *const argv[] = {program, output, settings->fix != NULL ? fix : NULL, NULL};
-    const bool fine = output != NULL && fix != NULL && judge(spawn(argv, input, dialogue), program, dialogue);
-    free(output);
-    free(fix);
-    return fine;
+    path output, fix;
+    if (!path_of(&output, "--output=%s", at->folder.text) ||
+        !path_of(&fix, "--fix=%s", settings->fix != NULL ? settings->fix : "")) {
+        return false;
+    }
+    char *const argv[] = {at->program.text, output.text, settings->fix != NULL ? fix.text : NULL, NULL};
+    return judge(spawn(argv, at->input.text, at->dialogue.text), at->program.text, at->dialogue.text);
 }
 
 /* A legacy program writes into its current folder, which only a shell changes without a fork of our own. */
-static bool run_legacy(const run_settings *settings, char *program, char *folder, const char *input,
-                       const char *dialogue)
+static bool run_legacy(const run_settings *settings, places *at)
 {
     static char shell[] = "/bin/sh", option[] = "-c";
-    char *absolute = realpath(program, NULL);
-    char *script = path_of("cd \"$0\" && exec %s \"$@\"", settings->runner);
-    char *const argv[] = {shell, option, script, folder, absolute, NULL};
-    bool fine = absolute != NULL || complain(program);
-    fine = fine && script != NULL && judge(spawn(argv, input, dialogue), program, dialogue);
+    path script;
+    char *absolute = realpath(at->program.text, NULL);
+    char *const argv[] = {shell, option, script.text, at->folder.text, absolute, NULL};
+    bool fine = absolute != NULL || complain(at->program.text);
+    fine = fine && path_of(&script, "cd \"$0\" && exec %s \"$@\"", settings->runner) &&
+           judge(spawn(argv, at->input.text, at->dialogue.text), at->program.text, at->dialogue.text);
     free(absolute);
-    free(script);
-    return fine;
-}
-
-static bool run_in(const run_settings *settings, const published_number *number, char *folder, const char *input)
-{
-    char *program = path_of("%s/%s", settings->programs, number->program);
-    char *dialogue = program != NULL ? path_of("%s/dialogue", folder) : NULL;
-    bool fine = program != NULL && dialogue != NULL;
-    if (fine) {
-        fine = settings->legacy ? run_legacy(settings, program, folder, input, dialogue)
-                                : run_port(settings, program, folder, input, dialogue);
-    }
-    free(program);
-    free(dialogue);
     return fine;
 }
 
 /* What an earlier run has left must not pass for what this one writes. */
-static bool remove_old(const published_number *number, const char *folder)
+static bool remove_old(const run_settings *settings, const published_number *number)
 {
-    const program *program = program_named(number->program);
     bool fine = true;
-    for (int i = 0; program != NULL && i < REPORT_FILES && fine; i++) {
-        char *path = path_of_file(folder, program, i);
-        fine = path != NULL && (remove(path) == 0 || errno == ENOENT || complain(path));
-        free(path);
+    for (int i = 0; program_named(number->program) != NULL && i < REPORT_FILES && fine; i++) {
+        path path;
+        fine = path_of_file(&path, settings, number, i) &&
+               (remove(path.text) == 0 || errno == ENOENT || complain(path.text));
     }
     return fine;
 }
@@ -202,13 +179,12 @@ static bool remove_old(const published_number *number, const char *folder)
 bool run_case(const run_settings *settings, const published_list *list, size_t first)
 {
     const published_number *number = &list->numbers[first];
-    char *folder = case_folder(settings, number);
-    char *input = folder != NULL ? path_of("%s/input", folder) : NULL;
-    const bool fine = input != NULL && make_folders(folder) && remove_old(number, folder) &&
-                      write_input(input, list, first) && run_in(settings, number, folder, input);
-    free(folder);
-    free(input);
-    return fine;
+    places at;
+    return path_of(&at.folder, "%s/%s-%d", settings->out, number->program, number->case_number) &&
+           path_of(&at.input, "%s/input", at.folder.text) && path_of(&at.dialogue, "%s/dialogue", at.folder.text) &&
+           path_of(&at.program, "%s/%s", settings->programs, number->program) && make_folders(&at.folder) &&
+           remove_old(settings, number) && write_input(at.input.text, list, first) &&
+           (settings->legacy ? run_legacy(settings, &at) : run_port(settings, &at));
 }
 
 /* Append what the stream has to the text, NULL at first, which grows and may move. */
@@ -241,17 +217,13 @@ static bool append_file(char **text, size_t *length, const char *path)
 
 char *run_case_results(const run_settings *settings, const published_number *number)
 {
-    const program *program = program_named(number->program);
-    char *folder = case_folder(settings, number);
     char *text = NULL;
     size_t length = 0;
-    bool fine = folder != NULL && program != NULL;
+    bool fine = true;
     for (int i = REPORT_TOLERANCES; i <= REPORT_MACHINING && fine; i++) {
-        char *path = path_of_file(folder, program, i);
-        fine = path != NULL && append_file(&text, &length, path);
-        free(path);
+        path path;
+        fine = path_of_file(&path, settings, number, i) && append_file(&text, &length, path.text);
     }
-    free(folder);
     if (!fine) {
         free(text);
         text = NULL;

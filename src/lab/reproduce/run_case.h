@@ -25,14 +25,16 @@ bool run_case(const run_settings *settings, const published_list *list, size_t f
 /* What the case's files say, the tolerance and the machining file one after the other; to be freed. */
 char *run_case_results(const run_settings *settings, const published_number *number);
 
-/* "a/b/c" from printf's arguments; to be freed; NULL, after a message, where memory is short. */
-char *path_of(const char *format, ...)
+/* Room for a path, or an argument that holds one. */
+typedef struct path {
+    char text[4096];
+} path;
+
+/* "a/b/c" from printf's arguments; false, after a message, where it is too long. */
+bool path_of(path *path, const char *format, ...)
 #ifdef __GNUC__
-    __attribute__((format(printf, 1, 2)))
+    __attribute__((format(printf, 2, 3)))
 #endif
     ;
-
-/* Make a folder and those above it. */
-bool make_folders(const char *path);
 
 #endif
