@@ -3,22 +3,21 @@
 #include "console/exit_code.h"
 #include "console/flags.h"
 #include "console/message.h"
+#include "console/number.h"
+#include "console/word.h"
 
-#include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
-
-#define RUN_DIGITS 6 /* run numbers up to 999999 */
 
 static bool parse_run(const char *text, int *run)
 {
-    const size_t length = strlen(text);
-    if (length == 0 || length > RUN_DIGITS || strspn(text, "0123456789") != length || atoi(text) == 0) {
+    enum { RUN_DIGITS = 6 };
+    uint64_t value;
+    if (strlen(text) > RUN_DIGITS || !whole_number_of(text, 1, 999999, &value)) {
         message("--run: %s is not a run number; expected a whole number from 1 to 999999",
                 message_quote(text, &(quoted){""}));
         return false;
     }
-    *run = atoi(text);
+    *run = (int)value;
     return true;
 }
 
@@ -32,32 +31,13 @@ static void unknown_erratum(const char *id)
     message("--fix: unknown erratum %s; known are %sand all", message_quote(id, &(quoted){""}), known);
 }
 
-/* One name of the list, up to a comma or the end. */
-static bool fix_one(const char *name, size_t length, armtol_errata *errata)
+static bool fix_one(const char *id, void *errata)
 {
-    char id[64];
-    const size_t kept = length < sizeof id ? length : sizeof id - 1;
-    memcpy(id, name, kept);
-    id[kept] = '\0';
-    if (armtol_erratum_keep(errata, id, false) != ARMTOL_OK) {
+    const bool known = armtol_erratum_keep(errata, id, false) == ARMTOL_OK;
+    if (!known) {
         unknown_erratum(id);
-        return false;
     }
-    return true;
-}
-
-static bool parse_fix(const char *list, armtol_errata *errata)
-{
-    for (;;) {
-        const size_t length = strcspn(list, ",");
-        if (!fix_one(list, length, errata)) {
-            return false;
-        }
-        if (list[length] == '\0') {
-            return true;
-        }
-        list += length + 1;
-    }
+    return known;
 }
 
 static const struct option long_options[] = {
@@ -77,7 +57,7 @@ static bool take(int option, const char *argument, void *context)
     case 'r':
         return parse_run(argument, &options->run);
     case 'f':
-        return parse_fix(argument, &options->errata);
+        return words_each(argument, fix_one, &options->errata);
     case 'l':
         options->action = ACTION_LIST_ERRATA;
         return true;

@@ -3,7 +3,9 @@
 
 #include "armtol/errata.h"
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 typedef enum number_fault {
     NUMBER_FINE,
@@ -18,6 +20,12 @@ typedef enum number_fault {
  * sign, digits with at most one point, exponent. The whole text has to be one; *value only changes if it is.
  */
 number_fault number_parse(const char *text, double *value);
+
+/* A whole number, digits only, from least to most; false for anything else. */
+bool whole_number_of(const char *text, uint64_t least, uint64_t most, uint64_t *value);
+
+/* An option's whole number; false after a message that names the option. */
+bool whole_number_parse(const char *option, const char *text, uint64_t least, uint64_t most, uint64_t *value);
 
 /* How many bytes of a typeset minus sign the text begins with: U+2212, or a dash (U+2013) that an editor made of it. */
 size_t number_typeset_minus(const char *text);

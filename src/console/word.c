@@ -11,3 +11,16 @@ bool word_take(const char **at, const char *ends, char word[WORD])
     *at += length;
     return kept == length;
 }
+
+bool words_each(const char *list, word_taker *take, void *context)
+{
+    char word[WORD];
+    word_take(&list, ",", word);
+    while (take(word, context)) {
+        if (*list++ == '\0') {
+            return true;
+        }
+        word_take(&list, ",", word);
+    }
+    return false;
+}

@@ -4,7 +4,7 @@
 #include "console/input_file.h"
 #include "console/list_room.h"
 #include "console/message.h"
-#include "console/whole_number.h"
+#include "console/number.h"
 
 #include <errno.h>
 #include <stdio.h>

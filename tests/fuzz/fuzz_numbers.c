@@ -11,7 +11,6 @@
 #include "armtol/tables/degrees.h"
 #include "console/message.h"
 #include "console/number.h"
-#include "console/whole_number.h"
 
 #include <float.h>
 #include <math.h>

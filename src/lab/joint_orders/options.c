@@ -34,23 +34,9 @@ void orders_options_help(void)
            "Exit status: 0 done, 2 wrong input or usage, 1 any other failure.\n");
 }
 
-typedef bool word_parser(const char *word, orders_options *options);
-
-static bool parse_list(const char *list, word_parser *parse, orders_options *options)
+static bool parse_part(const char *name, void *context)
 {
-    char word[WORD];
-    word_take(&list, ",", word); /* no name is so long that it would be cut */
-    while (parse(word, options)) {
-        if (*list++ == '\0') {
-            return true;
-        }
-        word_take(&list, ",", word);
-    }
-    return false;
-}
-
-static bool parse_part(const char *name, orders_options *options)
-{
+    orders_options *options = context;
     for (int i = 0; i < PART_COUNT; i++) {
         if (strcmp(name, orders_part_names[i]) == 0) {
             options->show[i] = true;
@@ -61,8 +47,9 @@ static bool parse_part(const char *name, orders_options *options)
     return false;
 }
 
-static bool parse_given(const char *text, orders_options *options)
+static bool parse_given(const char *text, void *context)
 {
+    orders_options *options = context;
     bool known = false;
     for (int i = 0; i < FAMILIES; i++) {
         known = family_restrict(families[i], text, &options->given[i]) || known;
@@ -86,9 +73,9 @@ static bool take(int option, const char *argument, void *context)
     switch (option) {
     case 's':
         memset(options->show, 0, sizeof options->show);
-        return parse_list(argument, parse_part, options);
+        return words_each(argument, parse_part, options);
     case 'g':
-        return parse_list(argument, parse_given, options);
+        return words_each(argument, parse_given, options);
     case 'f':
         return table_format_parse(argument, &options->format);
     case 'h':

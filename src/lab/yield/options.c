@@ -3,7 +3,7 @@
 #include "console/exit_code.h"
 #include "console/flags.h"
 #include "console/message.h"
-#include "console/whole_number.h"
+#include "console/number.h"
 
 #include <stdio.h>
 
