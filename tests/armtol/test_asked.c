@@ -629,6 +629,9 @@ static const wrong_call wrong_calls[] = {
     {{ASKED, "--method", "sphere", "--delta", "x", NULL}, "armtol: --delta: \"x\" is not a number\n"},
     {{ASKED, "--method", "sphere", "--delta", ".6", NULL},
      "armtol: no tolerances: delta is not between zero and the smallest linear tolerance\n"},
+    /* in metres it is below the least double */
+    {{"metres.csv", "--joints", "0", "--mm", "--accuracy", WISH, "--method", "sphere", "--delta", "1e-322", NULL},
+     "armtol: no tolerances: delta is not between zero and the smallest linear tolerance\n"},
     {{ASKED, "--weights", "123456.alpha=2", NULL}, "armtol: --weights: puma560 has no parameter \"123456.alpha\"\n"},
     {{ASKED, "--weights", "1234567.alpha=2", NULL}, "armtol: --weights: unknown name \"1234567.alpha\"; expected"},
     {{ASKED, "--weights", "theta=2,alpha", NULL}, "armtol: --weights: \"alpha\" is no NAME=NUMBER"},
@@ -640,6 +643,7 @@ static void test_what_contradicts_itself_is_refused(void)
 {
     const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
     file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
+    file_write(string_of("%s/metres.csv", folder.text).text, "units: m rad\njoint,a,alpha,d,theta\ntheta,.1,0,0,0\n");
     file_write(string_of("%s/t.csv", folder.text).text,
                "link,parameter,tolerance\n0,theta,1\n0,a,1e307\n0,alpha,inf\n0,beta,1\n");
     for (size_t i = 0; i < sizeof wrong_calls / sizeof wrong_calls[0]; i++) {
