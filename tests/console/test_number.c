@@ -66,7 +66,7 @@ static void test_typeset_minus_signs_are_known(void)
 {
     TEST_ASSERT_EQUAL_INT(3, (int)number_typeset_minus("\xe2\x88\x92" "5"));
     TEST_ASSERT_EQUAL_INT(3, (int)number_typeset_minus("\xe2\x80\x93"));
-    static const char *const others[] = {"", "-5", "5", "\xe2", "\xe2\x88", "\xe2\x80\x94" "5"};
+    static const char *const others[] = {"", "-5", "5", "\xe2", "\xe2\x88", "\xe2\x80\x94 5"};
     for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
         TEST_ASSERT_EQUAL_INT(0, (int)number_typeset_minus(others[i]));
     }
