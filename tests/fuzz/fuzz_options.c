@@ -28,9 +28,9 @@ typedef struct command_line {
 static void cut_up(command_line *line, const uint8_t *data, size_t size)
 {
     static char name[] = "program";
-    const size_t kept = size < MOST_BYTES ? size : MOST_BYTES;
-    memcpy(line->text, data, kept);
-    line->text[kept] = '\0';
+    const size_t length = size < MOST_BYTES ? size : MOST_BYTES;
+    memcpy(line->text, data, length);
+    line->text[length] = '\0';
     line->argc = 1;
     line->argv[0] = name;
     char *at = line->text;
