@@ -1,6 +1,5 @@
 #include "1987/program.h"
 
-#include "1987/help.h"
 #include "1987/options.h"
 #include "1987/outfile.h"
 #include "1987/session.h"
@@ -22,7 +21,7 @@ int program_main(int argc, char *argv[], const program *program)
         return code;
     }
     if (options.action != ACTION_RUN) {
-        help_print(options.action, program);
+        options_answer(options.action, program);
         return exit_code_of_output(EXIT_OK);
     }
     if (!folder_open(&folder, options.folder)) {

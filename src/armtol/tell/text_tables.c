@@ -94,7 +94,8 @@ bool text_components(const findings *findings)
         add_component(findings, i, &table);
     }
     return table_finish(&table,
-                        along_tool ? "Error of the tool, along its own axes" : "Error of the tool, along the base's axes",
+                        along_tool ? "Error of the tool, along its own axes"
+                                   : "Error of the tool, along the base's axes",
                         NULL, FORMAT_TEXT, stdout);
 }
 
