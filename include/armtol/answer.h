@@ -6,6 +6,8 @@
 #include "armtol/interface.h"
 #include "armtol/question.h"
 
+#include <stdbool.h>
+
 ARMTOL_INTERFACE_BEGIN
 
 /* What whoever makes a link, and its joint, has to keep to. nan where there is nothing to keep to. */
@@ -18,8 +20,9 @@ typedef struct armtol_part {
 
 /* One component of the tool's error, the largest of all poses. Magnitudes; infinite where nothing bounds them. */
 typedef struct armtol_predicted {
-    double worst;      /* sum over |A| t */
-    double deviation;  /* the standard deviation, every error being even within its tolerance */
+    double worst;      /* |A s| + sum over |A| t, s what loads shift the joints by */
+    double shift;      /* |A s|: the mean of the error */
+    double deviation;  /* the standard deviation about it, every error being even within its tolerance */
     double remainder;  /* what the exact error can differ from A's by (armtol_remainder) */
     double binds;      /* the share of the optimum that this component's limit holds down, over all poses */
     size_t worst_pose; /* where `worst` is largest, the first of several */
@@ -30,16 +33,28 @@ typedef struct armtol_predicted {
  * need it alone. To be read, not to be changed.
  */
 typedef struct armtol_answer {
-    size_t n_links, n_joints, n_columns, n_poses;
+    size_t n_links, n_joints, n_columns;
+    size_t n_loads; /* load cases: 1 or more */
+    size_t n_poses; /* the question's times n_loads: each pose in each load, the loads of a pose one behind the other */
     armtol_tool_point tool;
     armtol_method method;   /* the question's, also where tolerances were given */
+    double sigma;           /* the question's */
     double accuracy[6];     /* infinity where none is asked for */
     armtol_column *columns; /* n_columns: what they stand for */
     armtol_link *links;     /* n_poses x n_links, placed */
     double *matrices;       /* n_poses x 6 x n_columns: A of every pose, one below the other (tool_matrix.h) */
 
-    double *tolerances; /* n_columns; infinity for a parameter that no bounded component sees */
-    double *bounded;    /* the same with 0 for infinity: what is not bounded counts as exact */
+    double *tolerances; /* n_columns; infinity for a parameter that no bounded component sees; of a motor whose drive is
+                           known the largest of all poses and loads */
+    double *bounded;    /* n_poses x n_columns: the same, pose by pose, with 0 for infinity: what is not bounded counts as
+                           exact */
+    double *shifts;     /* n_poses x n_columns: what the drives shift the parameters by, 0 but for motors */
+    double *moments;    /* n_poses x n_links: N m about the joints, N along those that slide */
+    double *droops;     /* n_poses x 6: where that takes the tool, by the exact kinematics (tool_error.h) */
+    double *remainders; /* n_poses x 6: what the exact error can differ from A's by */
+    bool *given;        /* n_columns: a drive or the question gave the tolerance, with or without an accuracy */
+    double *held;       /* n_columns: the share of the optimum that the column's largest, or (negative) least, holds */
+    bool loaded;        /* some shift is not 0 */
     armtol_part *parts; /* n_links */
     armtol_predicted components[6];
     armtol_bounds bounds; /* ARMTOL_METHOD_SPHERE, tolerances asked for: the two radii; else 0 */
@@ -62,8 +77,20 @@ typedef struct armtol_answer {
  *    Else a parameter that the link does not count is exact, and the motor has the tolerance of the parameter it moves.
  * 2) Delta that is to be chosen is armtol_sphere_delta's, its lever the length of the arm when it is stretched: the sum
  *    of sqrt(a^2 + d^2), the largest of all poses, and the tool's offset; 1 for an arm without any length.
- * 3) The same question has the same answer to the bit on every machine with IEEE arithmetic.
- * 4) Questions may be answered on several threads at once. Memory comes from calloc; no other state is kept.
+ * 3) With drives. A drive that the arm names (armtol_drive_is_known) gives its motor: in every pose and load the moment of
+ *    its joint (armtol_moments; where the arm has no masses, what is held and the force, and the drive's own `moment` to
+ *    either side of that) and Eq. (4.20) (armtol_drive_offset_under) make a shift and a half width of it. The half width is
+ *    the motor's tolerance there; one that the question gives counts instead where it is larger. The optimum is that of
+ *        |A| t <= e - |A s| - |A| t_given   in every component, pose and load, least <= t <= largest,
+ *    or with ARMTOL_METHOD_RSS of sigma sqrt(sum (A t)^2 / 3) <= e - |A s|. It is exact to first order, s included: the
+ *    remainder is that of a box about the arm as meant which holds all that drives and tolerances can do together, of
+ *    half widths |s| + t.
+ * 4) By method sphere what is given takes its part from the accuracy in the same way, the most of all poses and loads; the
+ *    bounds are those of the other columns, of which none may have a range.
+ * 5) Where nothing is left for what is asked the status is ARMTOL_NOTHING_LEFT. The same question with given tolerances,
+ *    0 for those, tells the sources apart (armtol_budget_create).
+ * 6) The same question has the same answer to the bit on every machine with IEEE arithmetic.
+ * 7) Questions may be answered on several threads at once. Memory comes from calloc; no other state is kept.
  *
  * Errors:
  *    ARMTOL_NO_MEMORY
@@ -74,6 +101,11 @@ typedef struct armtol_answer {
  *    ARMTOL_NOT_FINITE      about a pose: a joint value that is not, or A overflows (an offset that is not finite too)
  *    ARMTOL_BAD_TOLERANCE   about the accuracy: a component that is not > 0; about tolerances: one that is not >= 0
  *    ARMTOL_BAD_WEIGHT      about the weights: one that is not > 0 and finite
+ *    ARMTOL_BAD_RANGE       about the ranges: not 0 <= least <= largest, the least finite; about the method: a range that
+ *                           is not one value, by method sphere; a least that is not 0 where tolerances are given
+ *    ARMTOL_BAD_LOAD        about the loading: a mass < 0, a share that is not 0 to 1; about the drives: a number < 0, or
+ *                           compliance where neither masses nor loads nor `moment` say what it bears
+ *    ARMTOL_NOTHING_LEFT    about a row
  *    ARMTOL_BAD_DELTA, ARMTOL_NOT_FINITE, ARMTOL_NOT_SOLVED  about the method: no tolerances (optimum.h, sphere.h)
  *
  * Reference:
@@ -84,9 +116,14 @@ armtol_status armtol_answer_create(const armtol_question *question, armtol_answe
 /* answer may be NULL. */
 void armtol_answer_destroy(armtol_answer *answer);
 
-/* Of one pose, from 0: its placed links; A. */
+/* Of one pose and load, from 0: its placed links; A; what the parameters can be off by, about which shifts. */
 const armtol_link *armtol_answer_links(const armtol_answer *answer, size_t pose);
 const double *armtol_answer_matrix(const armtol_answer *answer, size_t pose);
+const double *armtol_answer_bounded(const armtol_answer *answer, size_t pose);
+const double *armtol_answer_shifts(const armtol_answer *answer, size_t pose);
+
+/* row x shifts: what the component is off by to first order before any tolerance. */
+double armtol_answer_shift(const armtol_answer *answer, size_t pose, size_t component);
 
 /* Where the tool point should be in that pose, in the base's coordinates. */
 void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3]);

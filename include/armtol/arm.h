@@ -3,7 +3,9 @@
 
 #include "armtol/interface.h"
 #include "armtol/link.h"
+#include "armtol/loads.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 ARMTOL_INTERFACE_BEGIN
@@ -17,22 +19,50 @@ typedef enum armtol_length_unit {
 /* "mm", "m"; "?" for a value that is none. */
 const char *armtol_length_unit_name(armtol_length_unit unit);
 
-/* What is known of a joint beyond its place in the chain. Radians, or lengths for a prismatic joint. */
+/*
+ * What is known of a joint beyond its place in the chain. Radians, or lengths for a prismatic joint; N m, or N for a
+ * prismatic joint.
+ */
 typedef struct armtol_drive {
     double low, high;  /* the least and the largest joint value; -infinity and infinity where not known */
-    double backlash;   /* how far the joint moves while its motor stands; nan where not known */
-    double compliance; /* how far it gives way to a unit of moment (or force, if prismatic); 0 if stiff */
-    double moment;     /* the largest moment that it bears, in any unit that fits that of compliance */
+    double backlash;   /* how far the joint moves while its motor stands, from end to end; nan where not known */
+    double compliance; /* how far it gives way to a N m (or N, if prismatic); 0 if stiff */
+    double moment;     /* the largest moment that it bears, where the masses of the arm's links are not known */
+    double resolution; /* the step of the encoder at the joint */
+    double friction;   /* the moment that it takes to move the joint through its play */
 } armtol_drive;
 
-/* A drive of which nothing is known: no limits, backlash nan; compliance and moment are 0. */
+/* A drive of which nothing is known: no limits, backlash nan; all else is 0. */
 extern const armtol_drive armtol_drive_unknown;
+
+/* Whether anything is known of how far it lets its joint be off: backlash, compliance or resolution. */
+bool armtol_drive_is_known(const armtol_drive *drive);
 
 /*
  * How far a drive lets its joint be off: backlash + compliance moment. nan where the backlash is not known.
- * Source: Hahn 1987, Eqs (4.20) and (4.34).
+ * Source: Hahn 1987, Eqs (4.33) and (4.34).
  */
 double armtol_drive_error(const armtol_drive *drive);
+
+/* Where a drive holds its joint: off by `shift`, give or take `half`. */
+typedef struct armtol_drive_offset {
+    double shift, half;
+} armtol_drive_offset;
+
+/*
+ * Where a drive holds its joint under a moment that is known to `doubt` to either side (both >= 0 but the moment).
+ *
+ * Notes:
+ * 1) Compliance gives way to the moment: compliance moment, less the share `compensated` of it, is a shift, and compliance
+ *    doubt goes to either side.
+ * 2) The whole play counts, as in the equation: nothing says at which of its ends the joint was when its zero was set. It
+ *    lies on the side of the moment. Where the moment may be 0, or less than the friction, it may lie on either side.
+ *    A backlash that is not known counts as 0.
+ * 3) The encoder adds half a step to either side.
+ *
+ * Source: Hahn 1987, Eq. (4.20); note 3 is the term for sensors that stands below it.
+ */
+armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt, double compensated);
 
 /* An arm: the table of its links, and what goes with it. */
 typedef struct armtol_arm {
@@ -43,6 +73,7 @@ typedef struct armtol_arm {
     size_t n_links;
     const armtol_link *links;   /* n_links, at joint values 0 */
     const armtol_drive *drives; /* n_links, a link's own; those of fixed links mean nothing */
+    const armtol_mass *masses;  /* n_links; NULL where they are not known */
 } armtol_arm;
 
 /*

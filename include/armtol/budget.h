@@ -12,26 +12,28 @@ ARMTOL_INTERFACE_BEGIN
 typedef enum armtol_role {
     ARMTOL_MACHINING, /* whoever makes the link */
     ARMTOL_MOTOR,     /* whoever drives the joint: the parameter that it moves */
+    ARMTOL_LOAD,      /* what shifts the joint: moments, and the play on their side */
     ARMTOL_ROLE_COUNT
 } armtol_role;
 
-/* "machining", "motor"; "?" for a value that is none. */
+/* "machining", "motor", "load"; "?" for a value that is none. */
 const char *armtol_role_name(armtol_role role);
 
 /* The role of a link's parameter. */
 armtol_role armtol_role_of(const armtol_link *link, armtol_parameter parameter);
 
-/* Where the error comes from: what one link's making, or its motor, has to do with each component of it. */
+/* Where the error comes from: what one link's making, its motor or its load has to do with each component of it. */
 typedef struct armtol_budget_row {
     size_t link;
     armtol_role role;
-    double shares[6]; /* of the component's predicted error, 0 to 1 */
+    double shares[6]; /* of the component's predicted error, 0 to 1; of a load that lessens the error of others, below 0 */
 } armtol_budget_row;
 
 typedef struct armtol_budget {
-    size_t n_rows;           /* two a link at most */
-    armtol_budget_row *rows; /* in link order, making before motor, those without a parameter left out */
-    double motors[6];        /* the share of all motors; that of all making is what is missing from 1 */
+    size_t n_rows;           /* three a link at most */
+    armtol_budget_row *rows; /* in link order, making, motor, load; those without a parameter, or a load, left out */
+    double motors[6];        /* the share of all motors; that of all making is what the two leave of 1 */
+    double loads[6];         /* the share of all loads */
 } armtol_budget;
 
 /*
@@ -44,7 +46,8 @@ typedef struct armtol_budget {
  *    *budget    the shares, to be freed with armtol_budget_destroy; NULL after an error
  *
  * Notes:
- * 1) The shares are those of the worst case, |A| t, or with method rss of the summed squares, (A t)^2.
+ * 1) The shares are those of the worst case, |A s| + |A| t. With method rss they are those of |A s| + sigma deviation, the
+ *    second term shared out by the squares (A t)^2.
  * 2) Each component in the pose where its worst case is largest (worst_pose).
  * 3) All shares are 0 for a component that nothing moves, and nan for one that nothing bounds.
  *

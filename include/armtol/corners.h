@@ -52,9 +52,10 @@ typedef double (*armtol_error_size)(const double error[6], const void *context);
  *
  * Given:
  *    links, n_links, tool      the arm, placed, and its tool point
+ *    shifts                    the middle of the box, one a column; NULL: the arm as meant
  *    tolerances, n_columns     the box: finite, one a column
  *    size, context             what is to be made large; context is handed to it
- *    errors                    where to begin: n_columns values, 0 or plus or minus the tolerance
+ *    errors                    where to begin: n_columns values, the middle or plus or minus the tolerance from there
  *
  * Returned:
  *    errors                    where it ends
@@ -67,8 +68,9 @@ typedef double (*armtol_error_size)(const double error[6], const void *context);
  *    the size does not count: it may be rounding, and not end. After 100 rounds it is left at that.
  * 2) It is a local search: it finds no less than it began with, and need not find the largest of all corners.
  */
-double armtol_climb(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double tolerances[],
-                    size_t n_columns, armtol_error_size size, const void *context, double errors[]);
+double armtol_climb(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double shifts[],
+                    const double tolerances[], size_t n_columns, armtol_error_size size, const void *context,
+                    double errors[]);
 
 ARMTOL_INTERFACE_END
 

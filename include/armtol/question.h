@@ -6,6 +6,7 @@
 #include "armtol/status.h"
 #include "armtol/tool_point.h"
 
+#include <stdbool.h>
 #include <stddef.h>
 
 ARMTOL_INTERFACE_BEGIN
@@ -40,6 +41,12 @@ typedef struct armtol_question {
     double delta;             /* of ARMTOL_METHOD_SPHERE: the lengths' share; 0: to be chosen (armtol_sphere_delta) */
     const double *weights;    /* a column of A, each > 0 (optimum.h); NULL: 1 each */
     const double *tolerances; /* a column of A, each >= 0, infinity for what has no bound; NULL: asked for */
+    const double *least;      /* a column of A, each >= 0 and finite: no tolerance is found below it; NULL: 0 each */
+    const double *largest;    /* a column of A, each >= the least: none is found above it; NULL: infinity each. Where both
+                                 are the same the tolerance is given: 0 is exact */
+    const armtol_loading *loading; /* NULL: armtol_loading_standard */
+    bool drives_apart; /* the drives that the arm names, and what loads them, are in no error; else they are: note 5 of
+                          answer.h */
 } armtol_question;
 
 /* What a failure is about, and the number that armtol_fault has of it. */
@@ -52,6 +59,10 @@ typedef enum armtol_subject {
     ARMTOL_ABOUT_METHOD,     /* sigma, delta, or that there are no tolerances by this method */
     ARMTOL_ABOUT_WEIGHTS,    /* the column's */
     ARMTOL_ABOUT_TOLERANCES, /* the column's */
+    ARMTOL_ABOUT_RANGES,     /* the column's: least and largest */
+    ARMTOL_ABOUT_DRIVES,     /* the link's */
+    ARMTOL_ABOUT_LOADING,    /* gravity, force, share; or a payload */
+    ARMTOL_ABOUT_ROW,        /* the row of A: 6 for each pose and load of the answer */
     ARMTOL_SUBJECT_COUNT
 } armtol_subject;
 

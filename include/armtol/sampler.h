@@ -59,6 +59,12 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
                                    size_t n_columns, const armtol_tool_point *tool, uint64_t seed);
 
 /*
+ * Count the errors of a started sampler from where the tool of these links is: placed, as many as the sampler's own and
+ * checked. So arms can be drawn about joint values that loads have shifted, and held against the arm as meant.
+ */
+void armtol_sampler_aim(armtol_sampler *sampler, const armtol_link meant[]);
+
+/*
  * The draw, uniform in [-1, 1), of that number: arm i takes number i * n_columns + k for its parameter of
  * column k. Source: splitmix64 (Steele, Lea, Flood 2014). Its state only counts, so that any draw can be had
  * at once.

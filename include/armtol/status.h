@@ -23,6 +23,9 @@ typedef enum armtol_status {
     ARMTOL_NO_MEMORY,       /* the machine has none left */
     ARMTOL_BAD_QUESTION,    /* a question without what it needs, or of no known method */
     ARMTOL_UNBOUNDED,       /* a component that has to keep to an accuracy, and has no bound */
+    ARMTOL_BAD_LOAD,        /* a mass, drive or share that is none, or compliance without a moment */
+    ARMTOL_BAD_RANGE,       /* a tolerance's least value is above its largest, or not one that the method can keep to */
+    ARMTOL_NOTHING_LEFT,    /* what is given exceeds the accuracy by itself */
     ARMTOL_STATUS_COUNT     /* the number of the above, itself no status */
 } armtol_status;
 

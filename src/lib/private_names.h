@@ -17,10 +17,14 @@
 #define optimum_pack armtol_private_optimum_pack
 #define optimum_use armtol_private_optimum_use
 #define angle_of armtol_private_angle_of
+#define answer_drive_error armtol_private_answer_drive_error
+#define answer_find_droops armtol_private_answer_find_droops
 #define answer_find_tolerances armtol_private_answer_find_tolerances
 #define answer_lever armtol_private_answer_lever
 #define answer_make_parts armtol_private_answer_make_parts
+#define answer_motor_column armtol_private_answer_motor_column
 #define answer_place armtol_private_answer_place
+#define answer_take_drives armtol_private_answer_take_drives
 #define arc_cosine_of armtol_private_arc_cosine_of
 #define arc_sine_of armtol_private_arc_sine_of
 #define arm_adept_one armtol_private_arm_adept_one
@@ -44,6 +48,12 @@
 #define pose_link_of armtol_private_pose_link_of
 #define question_check armtol_private_question_check
 #define question_check_columns armtol_private_question_check_columns
+#define question_check_drives armtol_private_question_check_drives
+#define question_gives armtol_private_question_gives
+#define question_largest armtol_private_question_largest
+#define question_least armtol_private_question_least
+#define question_load_count armtol_private_question_load_count
+#define question_loading armtol_private_question_loading
 #define search_corners armtol_private_search_corners
 #define sine_of armtol_private_sine_of
 #define tally_add armtol_private_tally_add

@@ -70,9 +70,8 @@ static bool read_file(FILE *stream, const cli_options *options, arm_model *model
 /* A double has to hold it in degrees too, in which it may be shown. A joint without an end is none of these. */
 static bool check_angle(const char *path, const arm_model *model, size_t i, arm_column column)
 {
-    armtol_link link = model->arm.links[i];
-    armtol_drive drive = model->arm.drives[i];
-    const double radians = *arm_column_number(column, &link, &drive);
+    arm_entry entry = arm_entry_of(&model->arm, i);
+    const double radians = *arm_column_number(column, &entry);
     const bool fine = !isfinite(radians) || fabs(radians) <= LARGEST_ANGLE;
     if (!fine) {
         message("%s: link %zu: %s: %g rad is too large; expected at most %g", path, i, arm_column_name(column), radians,

@@ -14,7 +14,7 @@
 enum { MOST_LINKS = 1000 };
 
 static const char expected_head[] = "expected a row of names: joint, a, alpha, d, theta and, as needed, kind, beta, "
-                                    "low, high, backlash, compliance, moment";
+                                    "low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z";
 
 /* All that is at work while a file is read. */
 typedef struct arm_reader {
@@ -23,9 +23,10 @@ typedef struct arm_reader {
     arm_head head;
     arm_columns columns;
     size_t n_links;
-    size_t link_room, drive_room;
+    size_t link_room, drive_room, mass_room;
     armtol_link *links;
     armtol_drive *drives;
+    armtol_mass *masses;
 } arm_reader;
 
 static void start(arm_reader *reader, FILE *stream, const char *path)
@@ -43,6 +44,7 @@ static void end(arm_reader *reader)
     arm_head_free(&reader->head);
     free(reader->links);
     free(reader->drives);
+    free(reader->masses);
 }
 
 static bool fail_at_line(const arm_reader *reader, const char *fault, const char *expected)
@@ -89,7 +91,12 @@ static bool grow(arm_reader *reader)
     reader->links = links;
     armtol_drive *drives = list_room(reader->drives, reader->n_links, &reader->drive_room, sizeof *drives);
     reader->drives = drives != NULL ? drives : reader->drives;
-    return drives != NULL;
+    if (drives == NULL) {
+        return false;
+    }
+    armtol_mass *masses = list_room(reader->masses, reader->n_links, &reader->mass_room, sizeof *masses);
+    reader->masses = masses != NULL ? masses : reader->masses;
+    return masses != NULL;
 }
 
 static bool take_row(arm_reader *reader)
@@ -98,10 +105,13 @@ static bool take_row(arm_reader *reader)
         cells_message(&reader->row, 0, "more than %d links", MOST_LINKS);
         return false;
     }
-    if (!grow(reader) || !arm_row_read(&reader->row, &reader->columns, reader->head.angle_unit,
-                                       &reader->links[reader->n_links], &reader->drives[reader->n_links])) {
+    arm_entry entry;
+    if (!grow(reader) || !arm_row_read(&reader->row, &reader->columns, reader->head.angle_unit, &entry)) {
         return false;
     }
+    reader->links[reader->n_links] = entry.link;
+    reader->drives[reader->n_links] = entry.drive;
+    reader->masses[reader->n_links] = entry.mass;
     reader->n_links++;
     return true;
 }
@@ -165,6 +175,7 @@ static bool make_model(arm_reader *reader, arm_model *model)
         .n_links = reader->n_links,
         .links = reader->links,
         .drives = reader->drives,
+        .masses = reader->columns.place[COLUMN_MASS] != NO_PLACE ? reader->masses : NULL,
     };
     return arm_model_make(model, &arm, reader->head.angle_unit);
 }

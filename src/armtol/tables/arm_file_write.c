@@ -18,7 +18,7 @@ typedef struct arm_writer {
 
 /* ---- cells ---- */
 
-/* Compliance and moment are known together: only their product counts. */
+/* A moment is known only beside a compliance. */
 static bool drive_is_known(const armtol_drive *drive, arm_column column)
 {
     switch (column) {
@@ -28,35 +28,52 @@ static bool drive_is_known(const armtol_drive *drive, arm_column column)
         return drive->high < (double)INFINITY;
     case COLUMN_BACKLASH:
         return !isnan(drive->backlash);
-    default:
+    case COLUMN_COMPLIANCE:
         return drive->compliance != 0 || drive->moment != 0;
+    case COLUMN_MOMENT:
+        return drive->moment != 0;
+    case COLUMN_RESOLUTION:
+        return drive->resolution != 0;
+    case COLUMN_FRICTION:
+        return drive->friction != 0;
+    default:
+        return false;
     }
 }
 
-/* Also where the number says no more than the default does; -0 is another number than 0. */
-static bool is_known(const armtol_link *link, const armtol_drive *drive, arm_column column)
+static bool mass_is_known(const armtol_mass *mass, arm_column column)
 {
+    return column == COLUMN_MASS || mass->center[column - COLUMN_COM_X] != 0;
+}
+
+/* Also where the number says no more than the default does; -0 is another number than 0. */
+static bool is_known(const armtol_arm *arm, size_t index, arm_column column)
+{
+    const armtol_link *link = &arm->links[index];
     if (column == COLUMN_BETA) {
         return link->beta != 0 || signbit(link->beta);
     }
-    return !arm_column_is_drive(column) || (link->joint != ARMTOL_FIXED && drive_is_known(drive, column));
+    if (arm_column_is_mass(column)) {
+        return arm->masses != NULL && mass_is_known(&arm->masses[index], column);
+    }
+    return !arm_column_is_drive(column) ||
+           (link->joint != ARMTOL_FIXED && drive_is_known(&arm->drives[index], column));
 }
 
 static const char *cell_of(const arm_writer *writer, size_t index, arm_column column, number_text *room)
 {
-    armtol_link link = writer->arm->links[index];
-    armtol_drive drive = writer->arm->drives[index];
+    arm_entry entry = arm_entry_of(writer->arm, index);
     if (column == COLUMN_KIND) {
-        return armtol_kind_name(link.kind);
+        return armtol_kind_name(entry.link.kind);
     }
     if (column == COLUMN_JOINT) {
-        return arm_joint_name(link.joint);
+        return arm_joint_name(entry.link.joint);
     }
-    if (arm_column_is_drive(column) && !is_known(&link, &drive, column)) {
+    if (arm_column_is_drive(column) && !is_known(writer->arm, index, column)) {
         return "-";
     }
-    const double value = *arm_column_number(column, &link, &drive);
-    const bool degrees = writer->angle_unit == UNIT_DEGREE && arm_column_is_angle(column, link.joint);
+    const double value = *arm_column_number(column, &entry);
+    const bool degrees = writer->angle_unit == UNIT_DEGREE && arm_column_is_angle(column, entry.link.joint);
     return degrees ? degrees_shortest(value, room) : number_shortest(value, &armtol_errata_none, room);
 }
 
@@ -66,7 +83,7 @@ static bool any_known(const armtol_arm *arm, arm_column column)
 {
     bool any = false;
     for (size_t i = 0; i < arm->n_links; i++) {
-        any = any || is_known(&arm->links[i], &arm->drives[i], column);
+        any = any || is_known(arm, i, column);
     }
     return any;
 }

@@ -23,8 +23,11 @@ bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_un
     model->arm.source = keep(model, 2, arm->source, strlen(arm->source) + 1);
     model->arm.links = keep(model, 3, arm->links, arm->n_links * sizeof *arm->links);
     model->arm.drives = keep(model, 4, arm->drives, arm->n_links * sizeof *arm->drives);
+    if (arm->masses != NULL) {
+        model->arm.masses = keep(model, 5, arm->masses, arm->n_links * sizeof *arm->masses);
+    }
     for (size_t i = 0; i < sizeof model->memory / sizeof model->memory[0]; i++) {
-        if (model->memory[i] == NULL) {
+        if (model->memory[i] == NULL && (i < 5 || arm->masses != NULL)) {
             arm_model_free(model);
             out_of_memory();
             return false;

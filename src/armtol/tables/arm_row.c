@@ -13,8 +13,7 @@ typedef struct arm_row {
     const cell_row *cells;
     const arm_columns *columns;
     bool kind_given;
-    armtol_link link;
-    armtol_drive drive;
+    arm_entry entry;
 } arm_row;
 
 static bool is_known(const arm_row *row, arm_column column)
@@ -48,7 +47,7 @@ static bool read_kind(arm_row *row, size_t place)
         kind++;
     }
     row->kind_given = kind < ARMTOL_KIND_COUNT;
-    row->link.kind = kind;
+    row->entry.link.kind = kind;
     if (!row->kind_given && !cell_is(cell, "auto")) {
         cells_message(row->cells, place, "unknown kind %s; expected npr, npp, ppr, ppp or auto",
                       message_quote(cell->text, &(quoted){""}));
@@ -68,7 +67,7 @@ static bool read_joint(arm_row *row, size_t place)
     const cell *cell = &row->cells->cells[place];
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         if (cell_is(cell, names[i].name)) {
-            row->link.joint = names[i].joint;
+            row->entry.link.joint = names[i].joint;
             return true;
         }
     }
@@ -86,6 +85,20 @@ static bool is_endless(arm_column column, const char *text, double *value)
     return infinite && column == (negative ? COLUMN_LOW : COLUMN_HIGH);
 }
 
+/* Stiffness and bits, which stand for numbers that they must not make infinite. */
+static bool check_other_word(const arm_row *row, arm_column column, size_t place, double value)
+{
+    enum { MOST_BITS = 64 };
+    const bool bits = column == COLUMN_BITS;
+    if (bits ? value >= 1 && value <= MOST_BITS && value == floor(value) : isfinite(1 / value)) {
+        return true;
+    }
+    cells_message(row->cells, place, "%s: %s is %s", arm_column_name(column),
+                  message_quote(row->cells->cells[place].text, &(quoted){""}),
+                  bits ? "no whole number from 1 to 64" : "not greater than zero");
+    return false;
+}
+
 static bool read_number(arm_row *row, arm_column column, size_t place)
 {
     cell_number number;
@@ -98,12 +111,15 @@ static bool read_number(arm_row *row, arm_column column, size_t place)
                       message_quote(row->cells->cells[place].text, &(quoted){""}), number_fault_text(fault));
         return false;
     }
-    if (column >= COLUMN_BACKLASH && number.value < 0) {
+    if (column >= COLUMN_BACKLASH && column <= COLUMN_MASS && number.value < 0) {
         cells_message(row->cells, place, "%s: %s is negative", arm_column_name(column),
                       message_quote(row->cells->cells[place].text, &(quoted){""}));
         return false;
     }
-    *arm_column_number(column, &row->link, &row->drive) = number.value;
+    if ((column == COLUMN_BITS || column == COLUMN_STIFFNESS) && !check_other_word(row, column, place, number.value)) {
+        return false;
+    }
+    *arm_column_number(column, &row->entry) = number.value;
     return true;
 }
 
@@ -133,28 +149,58 @@ static void convert(arm_row *row, arm_column column)
 {
     cell_number number;
     if (cells_number(row->cells, row->columns->place[column], &number) == NUMBER_FINE) {
-        *arm_column_number(column, &row->link, &row->drive) = degrees_parse(number.text);
+        *arm_column_number(column, &row->entry) = degrees_parse(number.text);
     }
 }
 
 static void convert_angles(arm_row *row)
 {
     for (arm_column column = 0; column < ARM_COLUMNS; column++) {
-        if (arm_column_is_angle(column, row->link.joint) && is_known(row, column)) {
+        if (arm_column_is_angle(column, row->entry.link.joint) && is_known(row, column)) {
             convert(row, column);
         }
+    }
+    if (row->entry.link.joint == ARMTOL_REVOLUTE) { /* of a degree: a radian is stiffer by as much as it is larger */
+        row->entry.stiffness *= 180 / 3.14159265358979323846;
     }
 }
 
 /* A fixed link may be of any kind: the kind only says which of its parameters can be in error. */
 static bool check_kind(const arm_row *row)
 {
-    const armtol_kind kind = row->link.kind;
+    const armtol_kind kind = row->entry.link.kind;
     const bool prismatic = kind == ARMTOL_NPP || kind == ARMTOL_PPP;
-    if (row->link.joint != ARMTOL_FIXED && prismatic != (row->link.joint == ARMTOL_PRISMATIC)) {
+    if (row->entry.link.joint != ARMTOL_FIXED && prismatic != (row->entry.link.joint == ARMTOL_PRISMATIC)) {
         cells_message(row->cells, row->columns->place[COLUMN_KIND],
-                      "a link whose joint is %s cannot be %s; expected %s", arm_joint_name(row->link.joint),
+                      "a link whose joint is %s cannot be %s; expected %s", arm_joint_name(row->entry.link.joint),
                       armtol_kind_name(kind), prismatic ? "npr or ppr" : "npp or ppp");
+        return false;
+    }
+    return true;
+}
+
+static bool say_twice(const arm_row *row, arm_column column, arm_column other)
+{
+    cells_message(row->cells, row->columns->place[column], "%s beside %s; expected one of the two", arm_column_name(column),
+                  arm_column_name(other));
+    return false;
+}
+
+static bool check_words(const arm_row *row)
+{
+    const bool compliance = is_known(row, COLUMN_COMPLIANCE), stiffness = is_known(row, COLUMN_STIFFNESS);
+    if (compliance && stiffness) {
+        return say_twice(row, COLUMN_STIFFNESS, COLUMN_COMPLIANCE);
+    }
+    if (is_known(row, COLUMN_RESOLUTION) && is_known(row, COLUMN_BITS)) {
+        return say_twice(row, COLUMN_BITS, COLUMN_RESOLUTION);
+    }
+    if (is_known(row, COLUMN_BITS) && row->entry.link.joint == ARMTOL_PRISMATIC) {
+        cells_message(row->cells, row->columns->place[COLUMN_BITS], "bits are those of a turn; expected resolution");
+        return false;
+    }
+    if (is_known(row, COLUMN_MOMENT) && !compliance && !stiffness) {
+        cells_message(row->cells, row->columns->place[COLUMN_MOMENT], "moment without compliance; only their product counts");
         return false;
     }
     return true;
@@ -164,30 +210,34 @@ static bool check_kind(const arm_row *row)
 static bool check_drive(const arm_row *row)
 {
     for (arm_column column = 0; column < ARM_COLUMNS; column++) {
-        if (row->link.joint == ARMTOL_FIXED && arm_column_is_drive(column) && is_known(row, column)) {
+        if (row->entry.link.joint == ARMTOL_FIXED && arm_column_is_drive(column) && is_known(row, column)) {
             cells_message(row->cells, row->columns->place[column],
                           "a fixed link has no %s; expected - or an empty cell", arm_column_name(column));
             return false;
         }
     }
-    if (row->drive.low > row->drive.high) {
+    if (row->entry.drive.low > row->entry.drive.high) {
         cells_message(row->cells, row->columns->place[COLUMN_LOW], "low is above high");
         return false;
     }
-    const bool compliance = is_known(row, COLUMN_COMPLIANCE), moment = is_known(row, COLUMN_MOMENT);
-    if (compliance != moment) {
-        const arm_column column = compliance ? COLUMN_COMPLIANCE : COLUMN_MOMENT;
-        cells_message(row->cells, row->columns->place[column], "%s without %s; only their product counts",
-                      arm_column_name(column), compliance ? "moment" : "compliance");
-        return false;
+    return check_words(row);
+}
+
+/* The place of a center of mass says nothing without the mass. */
+static bool check_mass(const arm_row *row)
+{
+    for (arm_column column = COLUMN_COM_X; column < ARM_COLUMNS; column++) {
+        if (is_known(row, column) && !is_known(row, COLUMN_MASS)) {
+            cells_message(row->cells, row->columns->place[column], "%s without mass", arm_column_name(column));
+            return false;
+        }
     }
     return true;
 }
 
-bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit,
-                  armtol_link *link, armtol_drive *drive)
+bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, arm_entry *entry)
 {
-    arm_row row = {.cells = cells, .columns = columns, .drive = armtol_drive_unknown};
+    arm_row row = {.cells = cells, .columns = columns, .entry = {.drive = armtol_drive_unknown}};
     bool fine = check_length(&row);
     for (size_t i = 0; fine && i < columns->n; i++) {
         fine = read_cell(&row, columns->order[i]);
@@ -199,9 +249,9 @@ bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit 
         convert_angles(&row);
     }
     if (!row.kind_given) {
-        row.link.kind = armtol_kind_of(row.link.joint, row.link.alpha);
+        row.entry.link.kind = armtol_kind_of(row.entry.link.joint, row.entry.link.alpha);
     }
-    *link = row.link;
-    *drive = row.drive;
-    return check_kind(&row) && check_drive(&row);
+    arm_entry_settle(&row.entry);
+    *entry = row.entry;
+    return check_kind(&row) && check_drive(&row) && check_mass(&row);
 }

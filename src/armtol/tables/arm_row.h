@@ -7,7 +7,6 @@
 #include <stdbool.h>
 
 /* A row of an arm's table below its head row. False after a message. */
-bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, armtol_link *link,
-                  armtol_drive *drive);
+bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, arm_entry *entry);
 
 #endif

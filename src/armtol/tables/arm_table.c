@@ -2,11 +2,16 @@
 
 #include "console/message.h"
 
+#include <math.h>
+
 static const char *const names[ARM_COLUMNS] = {
     [COLUMN_KIND] = "kind",   [COLUMN_JOINT] = "joint",           [COLUMN_A] = "a",
     [COLUMN_ALPHA] = "alpha", [COLUMN_D] = "d",                   [COLUMN_THETA] = "theta",
     [COLUMN_BETA] = "beta",   [COLUMN_LOW] = "low",               [COLUMN_HIGH] = "high",
     [COLUMN_BACKLASH] = "backlash", [COLUMN_COMPLIANCE] = "compliance", [COLUMN_MOMENT] = "moment",
+    [COLUMN_RESOLUTION] = "resolution", [COLUMN_FRICTION] = "friction", [COLUMN_STIFFNESS] = "stiffness",
+    [COLUMN_BITS] = "bits",   [COLUMN_MASS] = "mass",             [COLUMN_COM_X] = "com_x",
+    [COLUMN_COM_Y] = "com_y", [COLUMN_COM_Z] = "com_z",
 };
 
 const char *arm_column_name(arm_column column)
@@ -21,7 +26,12 @@ bool arm_column_is_optional(arm_column column)
 
 bool arm_column_is_drive(arm_column column)
 {
-    return column >= COLUMN_LOW;
+    return column >= COLUMN_LOW && column <= COLUMN_BITS;
+}
+
+bool arm_column_is_mass(arm_column column)
+{
+    return column >= COLUMN_MASS;
 }
 
 bool arm_column_is_angle(arm_column column, armtol_joint joint)
@@ -35,27 +45,56 @@ bool arm_column_is_angle(arm_column column, armtol_joint joint)
     case COLUMN_HIGH:
     case COLUMN_BACKLASH:
     case COLUMN_COMPLIANCE:
+    case COLUMN_RESOLUTION:
         return joint == ARMTOL_REVOLUTE;
     default:
         return false;
     }
 }
 
-double *arm_column_number(arm_column column, armtol_link *link, armtol_drive *drive)
+double *arm_column_number(arm_column column, arm_entry *entry)
 {
     double *const numbers[ARM_COLUMNS] = {
-        [COLUMN_A] = &link->a,
-        [COLUMN_ALPHA] = &link->alpha,
-        [COLUMN_D] = &link->d,
-        [COLUMN_THETA] = &link->theta,
-        [COLUMN_BETA] = &link->beta,
-        [COLUMN_LOW] = &drive->low,
-        [COLUMN_HIGH] = &drive->high,
-        [COLUMN_BACKLASH] = &drive->backlash,
-        [COLUMN_COMPLIANCE] = &drive->compliance,
-        [COLUMN_MOMENT] = &drive->moment,
+        [COLUMN_A] = &entry->link.a,
+        [COLUMN_ALPHA] = &entry->link.alpha,
+        [COLUMN_D] = &entry->link.d,
+        [COLUMN_THETA] = &entry->link.theta,
+        [COLUMN_BETA] = &entry->link.beta,
+        [COLUMN_LOW] = &entry->drive.low,
+        [COLUMN_HIGH] = &entry->drive.high,
+        [COLUMN_BACKLASH] = &entry->drive.backlash,
+        [COLUMN_COMPLIANCE] = &entry->drive.compliance,
+        [COLUMN_MOMENT] = &entry->drive.moment,
+        [COLUMN_RESOLUTION] = &entry->drive.resolution,
+        [COLUMN_FRICTION] = &entry->drive.friction,
+        [COLUMN_STIFFNESS] = &entry->stiffness,
+        [COLUMN_BITS] = &entry->bits,
+        [COLUMN_MASS] = &entry->mass.mass,
+        [COLUMN_COM_X] = &entry->mass.center[0],
+        [COLUMN_COM_Y] = &entry->mass.center[1],
+        [COLUMN_COM_Z] = &entry->mass.center[2],
     };
     return numbers[column];
+}
+
+arm_entry arm_entry_of(const armtol_arm *arm, size_t link)
+{
+    arm_entry entry = {.link = arm->links[link], .drive = arm->drives[link]};
+    if (arm->masses != NULL) {
+        entry.mass = arm->masses[link];
+    }
+    return entry;
+}
+
+void arm_entry_settle(arm_entry *entry)
+{
+    static const double turn = 6.28318530717958647693;
+    if (entry->stiffness > 0) {
+        entry->drive.compliance = 1 / entry->stiffness;
+    }
+    if (entry->bits > 0) {
+        entry->drive.resolution = ldexp(turn, -(int)entry->bits);
+    }
 }
 
 const char *arm_joint_name(armtol_joint joint)
@@ -86,7 +125,8 @@ static void unknown_column(const cell_row *row, size_t index)
                               "d, theta, ...)", text);
     } else {
         cells_message(row, index, "unknown column %s; expected kind, joint, a, alpha, d, theta, beta, low, high, "
-                                  "backlash, compliance or moment", text);
+                                  "backlash, compliance or stiffness, moment, resolution or bits, friction, mass, com_x, "
+                                  "com_y or com_z", text);
     }
 }
 

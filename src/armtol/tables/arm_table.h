@@ -21,6 +21,14 @@ typedef enum arm_column {
     COLUMN_BACKLASH,
     COLUMN_COMPLIANCE,
     COLUMN_MOMENT,
+    COLUMN_RESOLUTION,
+    COLUMN_FRICTION,
+    COLUMN_STIFFNESS, /* compliance and resolution in other words; never written */
+    COLUMN_BITS,
+    COLUMN_MASS,
+    COLUMN_COM_X,
+    COLUMN_COM_Y,
+    COLUMN_COM_Z,
     ARM_COLUMNS
 } arm_column;
 
@@ -29,14 +37,32 @@ const char *arm_column_name(arm_column column);
 /* Whether a table may do without it, or without a value in it. */
 bool arm_column_is_optional(arm_column column);
 
-/* Whether it is about the drive of a joint. */
+/* Whether it is about the drive of a joint, or about the mass of a link. */
 bool arm_column_is_drive(arm_column column);
+bool arm_column_is_mass(arm_column column);
 
 /* Whether the numbers of a link with that joint are angles. */
 bool arm_column_is_angle(arm_column column, armtol_joint joint);
 
+/* What a row says of a link; stiffness and bits are 0 where they are not given. */
+typedef struct arm_entry {
+    armtol_link link;
+    armtol_drive drive;
+    armtol_mass mass;
+    double stiffness, bits;
+} arm_entry;
+
 /* The number that the column is about; not of kind and joint. */
-double *arm_column_number(arm_column column, armtol_link *link, armtol_drive *drive);
+double *arm_column_number(arm_column column, arm_entry *entry);
+
+/* The entry of an arm's link. */
+arm_entry arm_entry_of(const armtol_arm *arm, size_t link);
+
+/*
+ * Turns stiffness and bits, where they are not 0, into compliance and resolution: its inverse, and the step of an encoder
+ * of 2^bits steps a turn. The stiffness is in N m a radian, or N a length.
+ */
+void arm_entry_settle(arm_entry *entry);
 
 /* "theta", "d" or "fixed", as in the column joint. */
 const char *arm_joint_name(armtol_joint joint);

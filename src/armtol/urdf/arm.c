@@ -1,8 +1,8 @@
 #include "armtol/urdf/arm.h"
 
 #include "armtol/axes.h"
-#include "armtol/euler.h"
 #include "armtol/transform.h"
+#include "armtol/urdf/masses.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 
@@ -19,10 +19,13 @@ typedef struct parts {
     armtol_transform tip; /* of the chain so far, all joints at 0 */
     armtol_link *links;
     armtol_drive *drives; /* of the links */
+    armtol_mass *masses;  /* likewise */
+    bool has_masses;
     size_t n_links;
+    urdf_carried *carried; /* of the links of the tree */
 } parts;
 
-static bool parts_start(parts *parts, size_t most_axes)
+static bool parts_start(parts *parts, size_t most_axes, size_t n_tree_links)
 {
     *parts = (struct parts){
         .axes = calloc(most_axes + 1, sizeof *parts->axes),
@@ -30,9 +33,11 @@ static bool parts_start(parts *parts, size_t most_axes)
         .tip = armtol_transform_identity(),
         .links = calloc(ARMTOL_LINKS_OF_AXES(most_axes), sizeof *parts->links),
         .drives = calloc(ARMTOL_LINKS_OF_AXES(most_axes), sizeof *parts->drives),
+        .masses = calloc(ARMTOL_LINKS_OF_AXES(most_axes), sizeof *parts->masses),
+        .carried = calloc(n_tree_links, sizeof *parts->carried),
     };
-    const bool fine =
-        parts->axes != NULL && parts->axis_drives != NULL && parts->links != NULL && parts->drives != NULL;
+    const bool fine = parts->axes != NULL && parts->axis_drives != NULL && parts->links != NULL &&
+                      parts->drives != NULL && parts->masses != NULL && parts->carried != NULL;
     if (!fine) {
         out_of_memory();
     }
@@ -45,15 +50,11 @@ static void parts_free(parts *parts)
     free(parts->axis_drives);
     free(parts->links);
     free(parts->drives);
+    free(parts->masses);
+    free(parts->carried);
 }
 
 /* ---- joints to axes ---- */
-
-static armtol_transform origin_of(const urdf_joint *joint)
-{
-    const double *p = joint->xyz, *rpy = joint->rpy;
-    return armtol_pose_to_transform((const double[6]){p[0], p[1], p[2], rpy[0], rpy[1], rpy[2]}, &armtol_errata_none);
-}
 
 static void add_axis(parts *parts, const urdf_joint *joint)
 {
@@ -89,11 +90,12 @@ static bool add_joint(parts *parts, const urdf_joint *joint)
     if (joint->mimics) {
         return refuse(joint, "mimics another");
     }
-    const armtol_transform origin = origin_of(joint);
+    const armtol_transform origin = urdf_joint_origin(joint);
     parts->tip = armtol_transform_product(&parts->tip, &origin, &armtol_errata_none);
     if (joint->type != URDF_FIXED) {
         add_axis(parts, joint);
     }
+    parts->carried[joint->child] = (urdf_carried){true, parts->n_axes, parts->tip};
     return true;
 }
 
@@ -168,6 +170,7 @@ static bool make_model(const urdf_tree *tree, const urdf_chain *chain, const par
         .n_links = parts->n_links,
         .links = parts->links,
         .drives = parts->drives,
+        .masses = parts->has_masses ? parts->masses : NULL,
     };
     return arm_model_make(model, &arm, UNIT_RADIAN);
 }
@@ -175,11 +178,16 @@ static bool make_model(const urdf_tree *tree, const urdf_chain *chain, const par
 bool urdf_arm_make(const urdf_tree *tree, const urdf_chain *chain, arm_model *model)
 {
     parts parts;
-    bool fine = parts_start(&parts, chain->n_joints);
+    bool fine = parts_start(&parts, chain->n_joints, tree->n_links);
+    if (fine) {
+        parts.carried[chain->base] = (urdf_carried){.known = true, .at = armtol_transform_identity()};
+    }
     for (size_t i = 0; i < chain->n_joints && fine; i++) {
         fine = add_joint(&parts, &tree->joints[chain->joints[i]]);
     }
-    fine = fine && make_links(tree, chain, &parts) && make_model(tree, chain, &parts, model);
+    fine = fine && make_links(tree, chain, &parts) &&
+           urdf_masses_make(tree, parts.carried, parts.links, parts.n_links, parts.masses, &parts.has_masses) &&
+           make_model(tree, chain, &parts, model);
     parts_free(&parts);
     return fine;
 }

@@ -17,6 +17,8 @@ typedef struct parser {
     size_t depth;       /* of the element at hand, 1 for <robot> */
     size_t passed_over; /* the depth of an element that is nothing to us, nor is what it holds; else 0 */
     bool has_part[PARTS]; /* of the joint at hand */
+    bool in_link;         /* the element of depth 2 at hand is a <link> */
+    bool has_inertial, has_mass, has_center; /* of the link at hand */
     bool wrong; /* a message has been given */
 } parser;
 
@@ -153,6 +155,64 @@ static bool end_joint(const parser *parser)
     return true;
 }
 
+/* ---- one link ---- */
+
+static bool a_second(const parser *parser, const urdf_element *element)
+{
+    const urdf_link *const link = &parser->tree->links[parser->tree->n_links - 1];
+    file_message(&element->place, "a second <%s> in link %s", element->name, message_quote(link->name, &(quoted){""}));
+    return false;
+}
+
+static bool begin_inertial(parser *parser, const urdf_element *element)
+{
+    if (parser->has_inertial) {
+        return a_second(parser, element);
+    }
+    parser->has_inertial = true;
+    return true;
+}
+
+static bool read_mass(const urdf_element *element, urdf_link *link)
+{
+    const char *text;
+    if (!urdf_attribute_text(element, "value", &text) || !urdf_attribute_numbers(element, "value", 1, &link->mass)) {
+        return false;
+    }
+    if (link->mass < 0) {
+        file_message(&element->place, "the mass of link %s is %g; expected 0 or more",
+                     message_quote(link->name, &(quoted){""}), link->mass);
+        return false;
+    }
+    return true;
+}
+
+/* Of what <inertial> holds the mass and its center matter here; how its axes lie does not. */
+static bool read_inertial(parser *parser, const urdf_element *element)
+{
+    urdf_link *const link = &parser->tree->links[parser->tree->n_links - 1];
+    const bool mass = strcmp(element->name, "mass") == 0, origin = strcmp(element->name, "origin") == 0;
+    bool *const has = mass ? &parser->has_mass : &parser->has_center;
+    if (!mass && !origin) {
+        return true;
+    }
+    if (*has) {
+        return a_second(parser, element);
+    }
+    *has = true;
+    return mass ? read_mass(element, link) : urdf_attribute_numbers(element, "xyz", 3, link->center);
+}
+
+static bool end_link(const parser *parser)
+{
+    const urdf_link *const link = &parser->tree->links[parser->tree->n_links - 1];
+    if (parser->has_inertial && !parser->has_mass) {
+        file_message(&link->place, "link %s has an <inertial> without a <mass>", message_quote(link->name, &(quoted){""}));
+        return false;
+    }
+    return true;
+}
+
 /* ---- elements ---- */
 
 static file_place place_of(const parser *parser)
@@ -181,8 +241,36 @@ static bool begin_robot(parser *parser, const urdf_element *element)
 static bool begin_link(parser *parser, const urdf_element *element)
 {
     const char *name;
+    parser->in_link = true;
+    parser->has_inertial = parser->has_mass = parser->has_center = false;
     return urdf_attribute_text(element, "name", &name) &&
            urdf_tree_add_link(parser->tree, name, &element->place);
+}
+
+/* A link, a joint, or nothing to us. */
+static bool begin_thing(parser *parser, const urdf_element *element)
+{
+    parser->in_link = false;
+    if (strcmp(element->name, "joint") == 0) {
+        return begin_joint(parser, element);
+    }
+    if (strcmp(element->name, "link") == 0) {
+        return begin_link(parser, element);
+    }
+    parser->passed_over = parser->depth;
+    return true;
+}
+
+static bool begin_below(parser *parser, const urdf_element *element)
+{
+    if (parser->in_link && parser->depth == 3 && strcmp(element->name, "inertial") == 0) {
+        return begin_inertial(parser, element);
+    }
+    parser->passed_over = parser->depth;
+    if (parser->in_link) {
+        return parser->depth == 3 || read_inertial(parser, element);
+    }
+    return read_part(parser, element);
 }
 
 static bool begin(parser *parser, const urdf_element *element)
@@ -198,14 +286,7 @@ static bool begin(parser *parser, const urdf_element *element)
     if (parser->depth == 1) {
         return begin_robot(parser, element);
     }
-    if (parser->depth == 2 && strcmp(element->name, "joint") == 0) {
-        return begin_joint(parser, element);
-    }
-    parser->passed_over = parser->depth;
-    if (parser->depth == 3) {
-        return read_part(parser, element);
-    }
-    return strcmp(element->name, "link") != 0 || begin_link(parser, element);
+    return parser->depth == 2 ? begin_thing(parser, element) : begin_below(parser, element);
 }
 
 static void on_start(void *data, const XML_Char *name, const XML_Char **attributes)
@@ -220,7 +301,7 @@ static void on_start(void *data, const XML_Char *name, const XML_Char **attribut
     }
 }
 
-/* What is not passed over in depth 2 is a joint. */
+/* What is not passed over in depth 2 is a link or a joint. */
 static void on_end(void *data, const XML_Char *name)
 {
     parser *const parser = data;
@@ -228,7 +309,7 @@ static void on_end(void *data, const XML_Char *name)
     if (parser->wrong) {
         return;
     }
-    if (parser->passed_over == 0 && parser->depth == 2 && !end_joint(parser)) {
+    if (parser->passed_over == 0 && parser->depth == 2 && !(parser->in_link ? end_link(parser) : end_joint(parser))) {
         stop(parser);
     }
     if (parser->passed_over == parser->depth) {

@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What a URDF says of a robot's kinematics: links, and the joints that hang one below another. */
+/* What a URDF says of a robot's kinematics and of its masses: links, and the joints that hang one below another. */
 
 typedef enum urdf_joint_type {
     URDF_FIXED,
@@ -27,6 +27,8 @@ extern const char *const urdf_joint_type_names[URDF_JOINT_TYPES];
 typedef struct urdf_link {
     char *name;
     file_place place;
+    double mass;      /* 0 where the file does not say */
+    double center[3]; /* of it, in the frame of the link */
     size_t above;   /* the joint that it hangs from, URDF_NONE for a root; from urdf_tree_connect */
     bool is_leaf;   /* nothing hangs from it; from urdf_tree_connect */
     size_t visited; /* for urdf_tree_connect */

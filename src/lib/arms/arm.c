@@ -2,6 +2,7 @@
 
 #include "lib/arms/arms.h"
 
+#include <math.h>
 #include <string.h>
 
 static const armtol_arm *const arms[] = {
@@ -23,6 +24,22 @@ const char *armtol_length_unit_name(armtol_length_unit unit)
 double armtol_drive_error(const armtol_drive *drive)
 {
     return drive->backlash + drive->compliance * drive->moment;
+}
+
+bool armtol_drive_is_known(const armtol_drive *drive)
+{
+    return !isnan(drive->backlash) || drive->compliance != 0 || drive->resolution != 0;
+}
+
+armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt, double compensated)
+{
+    const double play = isnan(drive->backlash) ? 0 : drive->backlash;
+    const double least = fabs(moment) - doubt;
+    const bool one_side = least > 0 && least >= drive->friction;
+    return (armtol_drive_offset){
+        .shift = drive->compliance * moment * (1 - compensated) + (one_side ? copysign(play, moment) : 0),
+        .half = drive->compliance * doubt + (one_side ? 0 : play) + drive->resolution / 2,
+    };
 }
 
 size_t armtol_arm_count(void)

@@ -2,6 +2,7 @@
 
 #include "armtol/corners.h"
 #include "lib/engine/check.h"
+#include "lib/engine/drives.h"
 #include "lib/engine/find.h"
 #include "lib/engine/parts.h"
 #include "lib/engine/place.h"
@@ -9,64 +10,124 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* What sees a parameter without a bound has none either; elsewhere such a parameter counts as exact. */
-static void predict_component(const armtol_answer *answer, size_t pose, size_t i, double remainder,
-                              armtol_predicted *component)
+static void predict_component(const armtol_answer *answer, size_t pose, size_t i, armtol_predicted *component)
 {
-    const double *matrix = armtol_answer_matrix(answer, pose);
-    const double worst = armtol_worst_error(matrix, answer->n_columns, i, answer->tolerances);
-    const double deviation = armtol_rss_error(matrix, answer->n_columns, i, answer->tolerances) / sqrt(3);
+    const double *matrix = armtol_answer_matrix(answer, pose), *bounded = armtol_answer_bounded(answer, pose);
+    const size_t n = answer->n_columns;
+    const bool has_bound = isfinite(armtol_worst_error(matrix, n, i, answer->tolerances));
+    const double shift = fabs(armtol_answer_shift(answer, pose, i));
+    const double worst = has_bound ? shift + armtol_worst_error(matrix, n, i, bounded) : (double)INFINITY;
+    const double deviation = has_bound ? armtol_rss_error(matrix, n, i, bounded) / sqrt(3) : (double)INFINITY;
     if (worst > component->worst) {
         component->worst_pose = pose;
     }
     component->worst = fmax(component->worst, worst);
+    component->shift = fmax(component->shift, shift);
     component->deviation = fmax(component->deviation, deviation);
-    component->remainder = fmax(component->remainder, isinf(worst) ? worst : remainder);
+    component->remainder = fmax(component->remainder, has_bound ? answer->remainders[6 * pose + i] : worst);
 }
 
-static void predict(armtol_answer *answer)
+/* The box about the arm as meant that holds all that drives and tolerances can do together: half widths |s| + t. */
+static void reach_of(const armtol_answer *answer, size_t pose, double reach[])
+{
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        reach[k] = fabs(armtol_answer_shifts(answer, pose)[k]) + armtol_answer_bounded(answer, pose)[k];
+    }
+}
+
+static void predict(armtol_answer *answer, double reach[])
 {
     for (size_t pose = 0; pose < answer->n_poses; pose++) {
-        double remainder[6];
-        armtol_remainder(armtol_answer_matrix(answer, pose), answer->n_columns, answer->bounded, remainder);
+        reach_of(answer, pose, reach);
+        armtol_remainder(armtol_answer_matrix(answer, pose), answer->n_columns, reach, answer->remainders + 6 * pose);
         for (size_t i = 0; i < 6; i++) {
-            predict_component(answer, pose, i, remainder[i], &answer->components[i]);
+            predict_component(answer, pose, i, &answer->components[i]);
         }
     }
 }
 
 static bool get_memory(armtol_answer *answer)
 {
-    answer->tolerances = calloc(answer->n_columns, sizeof *answer->tolerances);
-    answer->bounded = calloc(answer->n_columns, sizeof *answer->bounded);
+    const size_t n = answer->n_columns, n_poses = answer->n_poses;
+    answer->tolerances = calloc(n, sizeof *answer->tolerances);
+    answer->bounded = calloc(n_poses, n * sizeof *answer->bounded);
+    answer->shifts = calloc(n_poses, n * sizeof *answer->shifts);
+    answer->moments = calloc(n_poses, answer->n_links * sizeof *answer->moments);
+    answer->droops = calloc(n_poses, 6 * sizeof *answer->droops);
+    answer->remainders = calloc(n_poses, 6 * sizeof *answer->remainders);
+    answer->given = calloc(n, sizeof *answer->given);
+    answer->held = calloc(n, sizeof *answer->held);
     answer->parts = calloc(answer->n_links, sizeof *answer->parts);
-    return answer->tolerances != NULL && answer->bounded != NULL && answer->parts != NULL;
+    return answer->tolerances != NULL && answer->bounded != NULL && answer->shifts != NULL && answer->moments != NULL &&
+           answer->droops != NULL && answer->remainders != NULL && answer->given != NULL && answer->held != NULL &&
+           answer->parts != NULL;
 }
 
-/* The question's own, or the largest that keep to its accuracy. */
-static armtol_fault take_tolerances(armtol_answer *answer, const armtol_question *question)
+/* What is said of a column counts in every pose, unless a drive has told it and it is no more than that. */
+static void spread(armtol_answer *answer, size_t column, double tolerance, bool driven)
 {
-    armtol_fault fault = question_check_columns(question, answer->n_columns);
-    if (fault.status == ARMTOL_OK && question->tolerances == NULL) {
-        fault = answer_find_tolerances(answer, question);
-    } else if (fault.status == ARMTOL_OK) {
-        memcpy(answer->tolerances, question->tolerances, answer->n_columns * sizeof *answer->tolerances);
+    if (driven && !(tolerance > answer->tolerances[column])) {
+        return;
+    }
+    answer->tolerances[column] = tolerance;
+    for (size_t pose = 0; pose < answer->n_poses; pose++) {
+        answer->bounded[pose * answer->n_columns + column] = isfinite(tolerance) ? tolerance : 0;
+    }
+}
+
+static void take_given(armtol_answer *answer, const armtol_question *question)
+{
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        const bool driven = answer->given[k];
+        if (question->tolerances != NULL) {
+            spread(answer, k, question->tolerances[k], driven);
+        } else if (driven || question_gives(question, k)) {
+            spread(answer, k, question_least(question, k), driven);
+            answer->given[k] = true;
+        }
+    }
+}
+
+static armtol_fault find_others(armtol_answer *answer, const armtol_question *question)
+{
+    const armtol_fault fault = answer_find_tolerances(answer, question);
+    for (size_t k = 0; k < answer->n_columns && fault.status == ARMTOL_OK; k++) {
+        if (!answer->given[k]) {
+            spread(answer, k, answer->tolerances[k], false);
+        }
     }
     return fault;
 }
 
-static void conclude(armtol_answer *answer, const armtol_question *question)
+/* The drives' and the question's own, and the largest that keep to the accuracy beside them. */
+static armtol_fault take_tolerances(armtol_answer *answer, const armtol_question *question)
 {
-    for (size_t k = 0; k < answer->n_columns; k++) {
-        answer->bounded[k] = isfinite(answer->tolerances[k]) ? answer->tolerances[k] : 0;
+    armtol_fault fault = question_check_columns(question, answer->n_columns);
+    if (fault.status == ARMTOL_OK) {
+        fault = answer_take_drives(answer, question);
+    }
+    if (fault.status == ARMTOL_OK) {
+        take_given(answer, question);
+    }
+    return fault.status == ARMTOL_OK && question->tolerances == NULL ? find_others(answer, question) : fault;
+}
+
+static armtol_fault conclude(armtol_answer *answer, const armtol_question *question)
+{
+    double *reach = calloc(answer->n_columns, sizeof *reach);
+    if (reach == NULL) {
+        return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
     }
     for (size_t i = 0; i < 6; i++) {
         answer->accuracy[i] = question->accuracy != NULL ? question->accuracy[i] : (double)INFINITY;
     }
     answer_make_parts(answer, question);
-    predict(answer);
+    answer_find_droops(answer);
+    predict(answer, reach);
+    free(reach);
+    return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
 }
 
 static armtol_fault fill(armtol_answer *answer, const armtol_question *question)
@@ -82,7 +143,7 @@ static armtol_fault fill(armtol_answer *answer, const armtol_question *question)
         fault = take_tolerances(answer, question);
     }
     if (fault.status == ARMTOL_OK) {
-        conclude(answer, question);
+        fault = conclude(answer, question);
     }
     return fault;
 }
@@ -93,6 +154,7 @@ armtol_status armtol_answer_create(const armtol_question *question, armtol_answe
     *answer = calloc(1, sizeof **answer);
     if (*answer != NULL) {
         (*answer)->method = question->method;
+        (*answer)->sigma = question->sigma;
         (*answer)->delta = (double)NAN;
         found = fill(*answer, question);
     }
@@ -114,6 +176,12 @@ void armtol_answer_destroy(armtol_answer *answer)
         free(answer->matrices);
         free(answer->tolerances);
         free(answer->bounded);
+        free(answer->shifts);
+        free(answer->moments);
+        free(answer->droops);
+        free(answer->remainders);
+        free(answer->given);
+        free(answer->held);
         free(answer->parts);
         free(answer);
     }

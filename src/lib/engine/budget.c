@@ -1,12 +1,13 @@
 #include "armtol/budget.h"
 
 #include <math.h>
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 
 const char *armtol_role_name(armtol_role role)
 {
-    static const char *const names[ARMTOL_ROLE_COUNT] = {"machining", "motor"};
+    static const char *const names[ARMTOL_ROLE_COUNT] = {"machining", "motor", "load"};
     return (size_t)role < ARMTOL_ROLE_COUNT ? names[role] : "?";
 }
 
@@ -22,12 +23,27 @@ static size_t row_of(const armtol_answer *answer, size_t column)
     return ARMTOL_ROLE_COUNT * at->link + armtol_role_of(&answer->links[at->link], at->parameter);
 }
 
-/* What a column puts into a component: a magnitude, or its square. */
+static size_t load_row_of(const armtol_answer *answer, size_t column)
+{
+    return ARMTOL_ROLE_COUNT * answer->columns[column].link + ARMTOL_LOAD;
+}
+
+/* What a column's tolerance puts into a component: a magnitude, or its square. */
 static double contribution(const armtol_answer *answer, size_t column, size_t i)
 {
-    const double *matrix = armtol_answer_matrix(answer, answer->components[i].worst_pose);
-    const double error = fabs(matrix[i * answer->n_columns + column]) * answer->bounded[column];
+    const size_t pose = answer->components[i].worst_pose;
+    const double *matrix = armtol_answer_matrix(answer, pose);
+    const double error = fabs(matrix[i * answer->n_columns + column]) * armtol_answer_bounded(answer, pose)[column];
     return answer->method == ARMTOL_METHOD_RSS ? error * error : error;
+}
+
+/* What its shift does, positive where it adds to the whole. */
+static double contribution_of_load(const armtol_answer *answer, size_t column, size_t i)
+{
+    const size_t pose = answer->components[i].worst_pose;
+    const double part = armtol_answer_matrix(answer, pose)[i * answer->n_columns + column] *
+                        armtol_answer_shifts(answer, pose)[column];
+    return armtol_answer_shift(answer, pose, i) < 0 ? -part : part;
 }
 
 static double share_of(double part, double total)
@@ -35,18 +51,51 @@ static double share_of(double part, double total)
     return isinf(total) ? (double)NAN : total > 0 ? part / total : 0;
 }
 
+/* The two terms of a component's error: what loads do, and what tolerances do, whose shares are of the sum of parts. */
+typedef struct terms {
+    double load, spread, parts;
+} terms;
+
+static terms terms_of(const armtol_answer *answer, size_t i)
+{
+    const bool unbounded = isinf(answer->components[i].worst);
+    terms terms = {.load = fabs(armtol_answer_shift(answer, answer->components[i].worst_pose, i))};
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        terms.parts += contribution(answer, k, i);
+    }
+    terms.spread = answer->method == ARMTOL_METHOD_RSS ? answer->sigma * sqrt(terms.parts / 3) : terms.parts;
+    terms.spread = unbounded ? (double)INFINITY : terms.spread;
+    return terms;
+}
+
+static void add_column(armtol_budget *budget, const armtol_answer *answer, const terms *terms, size_t k, size_t i)
+{
+    armtol_budget_row *row = &budget->rows[row_of(answer, k)];
+    const double total = terms->load + terms->spread;
+    const double of_spread = share_of(contribution(answer, k, i), isinf(total) ? total : terms->parts);
+    const double share = terms->load > 0 ? of_spread * share_of(terms->spread, total) : of_spread;
+    const double load = share_of(contribution_of_load(answer, k, i), total);
+    row->shares[i] += share;
+    budget->motors[i] += row->role == ARMTOL_MOTOR ? share : 0;
+    budget->rows[load_row_of(answer, k)].shares[i] += load;
+    budget->loads[i] += load;
+}
+
 static void add_component(armtol_budget *budget, const armtol_answer *answer, size_t i)
 {
-    double total = isinf(answer->components[i].worst) ? (double)INFINITY : 0;
+    const terms terms = terms_of(answer, i);
     for (size_t k = 0; k < answer->n_columns; k++) {
-        total += contribution(answer, k, i);
+        add_column(budget, answer, &terms, k, i);
     }
-    for (size_t k = 0; k < answer->n_columns; k++) {
-        armtol_budget_row *row = &budget->rows[row_of(answer, k)];
-        const double share = share_of(contribution(answer, k, i), total);
-        row->shares[i] += share;
-        budget->motors[i] += row->role == ARMTOL_MOTOR ? share : 0;
+}
+
+static bool is_shifted(const armtol_answer *answer, size_t column)
+{
+    bool shifted = false;
+    for (size_t pose = 0; pose < answer->n_poses; pose++) {
+        shifted = shifted || armtol_answer_shifts(answer, pose)[column] != 0;
     }
+    return shifted;
 }
 
 /* Only the rows that some column counts for are kept. */
@@ -54,6 +103,9 @@ static void drop_empty_rows(armtol_budget *budget, const armtol_answer *answer)
 {
     for (size_t k = 0; k < answer->n_columns; k++) {
         budget->rows[row_of(answer, k)].link = answer->columns[k].link;
+        if (is_shifted(answer, k)) {
+            budget->rows[load_row_of(answer, k)].link = answer->columns[k].link;
+        }
     }
     for (size_t i = 0; i < ARMTOL_ROLE_COUNT * answer->n_links; i++) {
         if (budget->rows[i].link < answer->n_links) {

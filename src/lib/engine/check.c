@@ -1,5 +1,7 @@
 #include "lib/engine/check.h"
 
+#include "lib/engine/drives.h"
+
 #include <math.h>
 #include <stdbool.h>
 
@@ -40,7 +42,29 @@ armtol_fault question_check(const armtol_question *question)
             return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_ACCURACY, i);
         }
     }
-    return fault_of(armtol_links_check(question->arm->links, question->arm->n_links), ARMTOL_ABOUT_ARM, 0);
+    const armtol_status status = armtol_links_check(question->arm->links, question->arm->n_links);
+    return status == ARMTOL_OK ? question_check_drives(question) : fault_of(status, ARMTOL_ABOUT_ARM, 0);
+}
+
+double question_least(const armtol_question *question, size_t column)
+{
+    return question->least != NULL ? question->least[column] : 0;
+}
+
+double question_largest(const armtol_question *question, size_t column)
+{
+    return question->largest != NULL ? question->largest[column] : (double)INFINITY;
+}
+
+bool question_gives(const armtol_question *question, size_t column)
+{
+    return question_least(question, column) == question_largest(question, column);
+}
+
+static bool is_range(const armtol_question *question, size_t column)
+{
+    const double least = question_least(question, column);
+    return least >= 0 && isfinite(least) && least <= question_largest(question, column);
 }
 
 armtol_fault question_check_columns(const armtol_question *question, size_t n_columns)
@@ -51,6 +75,9 @@ armtol_fault question_check_columns(const armtol_question *question, size_t n_co
         }
         if (question->tolerances != NULL && !(question->tolerances[k] >= 0)) {
             return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_TOLERANCES, k);
+        }
+        if (!is_range(question, k)) {
+            return fault_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_RANGES, k);
         }
     }
     return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);

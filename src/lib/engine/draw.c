@@ -7,6 +7,7 @@
 #include <signal.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum {
     BLOCK = 4096, /* arms that a thread takes at a time, in one pose; in several, fewer */
@@ -161,15 +162,41 @@ static armtol_status run_workers(work *work, tally *tally)
     return ARMTOL_OK;
 }
 
+/* The arm as drives and loads shift it, about which arms are drawn. */
+static void shift_links(const armtol_answer *answer, size_t pose, armtol_link shifted[])
+{
+    const double *shifts = armtol_answer_shifts(answer, pose);
+    memcpy(shifted, armtol_answer_links(answer, pose), answer->n_links * sizeof *shifted);
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        *armtol_link_parameter(&shifted[answer->columns[k].link], answer->columns[k].parameter) += shifts[k];
+    }
+}
+
+static armtol_status start_sampler(const armtol_answer *answer, size_t pose, uint64_t seed, armtol_link shifted[],
+                                   armtol_sampled_link links[], armtol_sampler *sampler)
+{
+    const armtol_link *meant = armtol_answer_links(answer, pose);
+    if (answer->loaded) {
+        shift_links(answer, pose, shifted);
+    }
+    const armtol_status status =
+        armtol_sampler_start(sampler, links, answer->loaded ? shifted : meant, answer->n_links,
+                             armtol_answer_bounded(answer, pose), answer->n_columns, &answer->tool, seed);
+    if (status == ARMTOL_OK && answer->loaded) {
+        armtol_sampler_aim(sampler, meant);
+    }
+    return status;
+}
+
 static armtol_status start_samplers(const armtol_answer *answer, uint64_t seed, armtol_sampler samplers[],
                                     armtol_sampled_link links[])
 {
-    armtol_status status = ARMTOL_OK;
+    armtol_link *shifted = calloc(answer->n_links, sizeof *shifted);
+    armtol_status status = shifted != NULL ? ARMTOL_OK : ARMTOL_NO_MEMORY;
     for (size_t pose = 0; pose < answer->n_poses && status == ARMTOL_OK; pose++) {
-        status = armtol_sampler_start(&samplers[pose], links + pose * answer->n_links,
-                                      armtol_answer_links(answer, pose), answer->n_links, answer->bounded,
-                                      answer->n_columns, &answer->tool, seed);
+        status = start_sampler(answer, pose, seed, shifted, links + pose * answer->n_links, &samplers[pose]);
     }
+    free(shifted);
     return status;
 }
 

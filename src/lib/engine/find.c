@@ -1,104 +1,251 @@
 #include "lib/engine/find.h"
 
+#include "armtol/corners.h"
 #include "armtol/optimum.h"
 #include "armtol/sphere.h"
 #include "lib/engine/check.h"
 #include "lib/engine/parts.h"
+#include "lib/optimum/row_rounding.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
 
-/* ---- worst and rss: the optimum ---- */
+/* ---- what is left beside what is given ---- */
 
-/* What it is found with, a place a row of all poses or a column. */
+/* The columns that are asked for, and A, limits and weights for them alone: `extra` rows more than A has, a column's each. */
 typedef struct rows {
-    double *limits, *multipliers, *weights, *workspace;
+    size_t n_free, n_rows, n_extra;
+    size_t *free_columns;  /* n_free: their places in A */
+    armtol_column *columns; /* n_free */
+    double *matrix;        /* (n_rows + n_extra) x n_free */
+    double *limits, *multipliers; /* n_rows + n_extra */
+    double *weights, *tolerances; /* n_free */
 } rows;
 
-static bool get_rows(rows *rows, size_t n_rows, size_t n_columns)
+/* Room for one at least, so that NULL means that there is no memory. */
+static void *get(size_t count, size_t size)
 {
-    *rows = (struct rows){
-        .limits = calloc(n_rows, sizeof(double)),
-        .multipliers = calloc(n_rows, sizeof(double)),
-        .weights = calloc(n_columns, sizeof(double)),
-        .workspace = calloc(armtol_optimum_workspace(n_rows, n_columns), sizeof(double)),
-    };
-    return rows->limits != NULL && rows->multipliers != NULL && rows->weights != NULL && rows->workspace != NULL;
+    return calloc(count + 1, size);
 }
 
 static void free_rows(rows *rows)
 {
+    free(rows->free_columns);
+    free(rows->columns);
+    free(rows->matrix);
     free(rows->limits);
     free(rows->multipliers);
     free(rows->weights);
-    free(rows->workspace);
+    free(rows->tolerances);
+}
+
+static bool has_largest(const armtol_answer *answer, const armtol_question *question, size_t column)
+{
+    return !answer->given[column] && isfinite(question_largest(question, column));
+}
+
+static bool get_rows(rows *rows, const armtol_answer *answer, const armtol_question *question)
+{
+    *rows = (struct rows){.n_rows = 6 * answer->n_poses};
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        rows->n_free += !answer->given[k];
+        rows->n_extra += has_largest(answer, question, k);
+    }
+    const size_t all = rows->n_rows + rows->n_extra;
+    rows->free_columns = get(rows->n_free, sizeof *rows->free_columns);
+    rows->columns = get(rows->n_free, sizeof *rows->columns);
+    rows->matrix = get(all, (rows->n_free + 1) * sizeof *rows->matrix);
+    rows->limits = get(all, sizeof *rows->limits);
+    rows->multipliers = get(all, sizeof *rows->multipliers);
+    rows->weights = get(rows->n_free, sizeof *rows->weights);
+    rows->tolerances = get(rows->n_free, sizeof *rows->tolerances);
+    return rows->free_columns != NULL && rows->columns != NULL && rows->matrix != NULL && rows->limits != NULL &&
+           rows->multipliers != NULL && rows->weights != NULL && rows->tolerances != NULL;
+}
+
+static void pack_columns(rows *rows, const armtol_answer *answer, const armtol_question *question)
+{
+    size_t place = 0, extra = rows->n_rows;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (answer->given[k]) {
+            continue;
+        }
+        rows->free_columns[place] = k;
+        rows->columns[place] = answer->columns[k];
+        rows->weights[place] = question->weights != NULL ? question->weights[k] : 1;
+        if (has_largest(answer, question, k)) { /* a row that sees this column alone */
+            rows->matrix[extra * rows->n_free + place] = 1;
+            rows->limits[extra++] = question_largest(question, k);
+        }
+        place++;
+    }
+}
+
+/* What rounding left of a 0 in the whole row is one in what is left of the row too, whose largest element may be less. */
+static void pack_row(rows *rows, const armtol_answer *answer, size_t row)
+{
+    const double *whole = answer->matrices + row * answer->n_columns;
+    double *packed = rows->matrix + row * rows->n_free;
+    for (size_t j = 0; j < rows->n_free; j++) {
+        packed[j] = whole[rows->free_columns[j]];
+    }
+    const double least = row_rounding(whole, answer->n_columns), least_packed = row_rounding(packed, rows->n_free);
+    for (size_t j = 0; j < rows->n_free; j++) {
+        packed[j] = fabs(packed[j]) <= least && fabs(packed[j]) > least_packed ? 0 : packed[j];
+    }
+}
+
+static bool is_rss(const armtol_question *question)
+{
+    return question->method == ARMTOL_METHOD_RSS;
 }
 
 /*
  * Method rss: an error that is even within its tolerance t has the standard deviation t / sqrt(3), so that sigma
  * standard deviations of a component are within its limit when the root of the summed squares is within
- * limit sqrt(3) / sigma.
+ * limit sqrt(3) / sigma. What is given takes its part: of the sum, or of the sum of squares.
  */
-static double limit_of(const armtol_question *question, size_t row)
+static double left_of(const armtol_answer *answer, const armtol_question *question, size_t row)
 {
-    const double limit = question->accuracy[row % 6];
-    return question->method == ARMTOL_METHOD_RSS ? limit * sqrt(3) / question->sigma : limit;
+    const size_t pose = row / 6, i = row % 6, n = answer->n_columns;
+    const double *matrix = armtol_answer_matrix(answer, pose), *given = armtol_answer_bounded(answer, pose);
+    const double left = question->accuracy[i] - fabs(armtol_answer_shift(answer, pose, i));
+    if (!is_rss(question)) {
+        return left - armtol_worst_error(matrix, n, i, given);
+    }
+    const double limit = left * sqrt(3) / question->sigma, used = armtol_rss_error(matrix, n, i, given);
+    return used == 0 ? limit : used < limit ? sqrt(limit - used) * sqrt(limit + used) : limit - used;
 }
 
-static armtol_status solve(armtol_answer *answer, const armtol_question *question, const rows *rows, size_t n_rows)
+/*
+ * The limits of the accuracy. A row in which nothing is asked for may be used up by what is given, and to its last digit;
+ * rounding apart, no row may by more.
+ */
+static armtol_fault pack_limits(rows *rows, const armtol_answer *answer, const armtol_question *question)
 {
-    const armtol_sum sum = question->method == ARMTOL_METHOD_RSS ? ARMTOL_ROOT_SUM_SQUARES : ARMTOL_WORST_CASE;
-    for (size_t i = 0; i < n_rows; i++) {
-        rows->limits[i] = limit_of(question, i);
+    static const double rounding = 1e-12;
+    for (size_t row = 0; row < rows->n_rows; row++) {
+        const double least = rounding * question->accuracy[row % 6], left = left_of(answer, question, row);
+        bool asked = false;
+        for (size_t j = 0; j < rows->n_free; j++) {
+            asked = asked || rows->matrix[row * rows->n_free + j] != 0;
+        }
+        if (isfinite(question->accuracy[row % 6]) && (asked ? left <= least : left < -least)) {
+            return fault_of(ARMTOL_NOTHING_LEFT, ARMTOL_ABOUT_ROW, row);
+        }
+        rows->limits[row] = asked ? left : (double)INFINITY;
     }
-    for (size_t k = 0; k < answer->n_columns; k++) {
-        rows->weights[k] = question->weights != NULL ? question->weights[k] : 1;
+    return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
+}
+
+static armtol_fault pack(rows *rows, const armtol_answer *answer, const armtol_question *question)
+{
+    pack_columns(rows, answer, question);
+    for (size_t row = 0; row < rows->n_rows; row++) {
+        pack_row(rows, answer, row);
     }
-    const armtol_status status =
-        armtol_optimum(sum, answer->matrices, n_rows, answer->n_columns, rows->limits, rows->weights,
-                        answer->tolerances, rows->multipliers, rows->workspace);
-    for (size_t i = 0; i < n_rows && status == ARMTOL_OK; i++) {
+    return pack_limits(rows, answer, question);
+}
+
+/* ---- worst and rss: the optimum ---- */
+
+static void note_held(armtol_answer *answer, const armtol_question *question, const rows *rows)
+{
+    size_t extra = rows->n_rows;
+    for (size_t i = 0; i < rows->n_rows; i++) {
         answer->components[i % 6].binds += rows->multipliers[i];
     }
-    return status;
+    for (size_t j = 0; j < rows->n_free; j++) {
+        const size_t k = rows->free_columns[j];
+        answer->held[k] = has_largest(answer, question, k) ? rows->multipliers[extra++] : 0;
+    }
 }
 
-static armtol_status optimise(armtol_answer *answer, const armtol_question *question)
+static armtol_status optimise(armtol_answer *answer, const armtol_question *question, const rows *rows)
 {
-    const size_t n_rows = 6 * answer->n_poses;
-    rows rows;
-    const armtol_status status = get_rows(&rows, n_rows, answer->n_columns)
-                                     ? solve(answer, question, &rows, n_rows)
-                                     : ARMTOL_NO_MEMORY;
-    free_rows(&rows);
+    const size_t n_rows = rows->n_rows + rows->n_extra;
+    double *workspace = get(armtol_optimum_workspace(n_rows, rows->n_free), sizeof *workspace);
+    if (workspace == NULL) {
+        return ARMTOL_NO_MEMORY;
+    }
+    const armtol_status status =
+        armtol_optimum(is_rss(question) ? ARMTOL_ROOT_SUM_SQUARES : ARMTOL_WORST_CASE, rows->matrix, n_rows, rows->n_free,
+                        rows->limits, rows->weights, rows->tolerances, rows->multipliers, workspace);
+    free(workspace);
+    if (status == ARMTOL_OK) {
+        note_held(answer, question, rows);
+    }
     return status;
 }
 
 /* ---- sphere: the report's bounds, shared out evenly ---- */
 
-static armtol_status share_sphere(armtol_answer *answer, const armtol_question *question)
+/* The least that any pose leaves of each component. */
+static void least_limits(const rows *rows, const armtol_question *question, double limits[6])
 {
-    const size_t n = answer->n_columns;
+    for (size_t i = 0; i < 6; i++) {
+        limits[i] = question->accuracy[i];
+    }
+    for (size_t row = 0; row < rows->n_rows; row++) {
+        limits[row % 6] = fmin(limits[row % 6], rows->limits[row]);
+    }
+}
+
+static armtol_status share_sphere(armtol_answer *answer, const armtol_question *question, const rows *rows)
+{
+    const size_t n = rows->n_free;
+    double limits[6];
     armtol_status status = ARMTOL_OK;
+    least_limits(rows, question, limits);
     answer->delta = question->delta;
     if (question->delta == 0) {
-        status = armtol_sphere_delta(answer->matrices, answer->n_poses, n, answer->columns, question->accuracy,
-                                     answer_lever(answer), &answer->delta);
+        status = armtol_sphere_delta(rows->matrix, answer->n_poses, n, rows->columns, limits, answer_lever(answer),
+                                     &answer->delta);
     }
     if (status == ARMTOL_OK) {
-        status = armtol_sphere_bounds(answer->matrices, answer->n_poses, n, answer->columns, question->accuracy,
-                                      answer->delta, &answer->bounds);
+        status = armtol_sphere_bounds(rows->matrix, answer->n_poses, n, rows->columns, limits, answer->delta, &answer->bounds);
     }
     if (status == ARMTOL_OK) {
-        armtol_sphere_tolerances(answer->columns, n, &answer->bounds, answer->tolerances);
+        armtol_sphere_tolerances(rows->columns, n, &answer->bounds, rows->tolerances);
     }
     return status;
 }
 
+/* ---- both ---- */
+
+static armtol_status share_out(armtol_answer *answer, const armtol_question *question, const rows *rows)
+{
+    if (rows->n_free == 0) {
+        return ARMTOL_OK;
+    }
+    return question->method == ARMTOL_METHOD_SPHERE ? share_sphere(answer, question, rows)
+                                                    : optimise(answer, question, rows);
+}
+
+static armtol_fault find(armtol_answer *answer, const armtol_question *question, rows *rows)
+{
+    if (!get_rows(rows, answer, question)) {
+        return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
+    }
+    if (question->method == ARMTOL_METHOD_SPHERE && rows->n_extra > 0) {
+        return fault_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_METHOD, 0);
+    }
+    const armtol_fault fault = pack(rows, answer, question);
+    if (fault.status != ARMTOL_OK) {
+        return fault;
+    }
+    const armtol_status status = share_out(answer, question, rows);
+    for (size_t j = 0; j < rows->n_free && status == ARMTOL_OK; j++) {
+        answer->tolerances[rows->free_columns[j]] = rows->tolerances[j];
+    }
+    return fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_METHOD, 0);
+}
+
 armtol_fault answer_find_tolerances(armtol_answer *answer, const armtol_question *question)
 {
-    const armtol_status status = question->method == ARMTOL_METHOD_SPHERE ? share_sphere(answer, question)
-                                                                          : optimise(answer, question);
-    return fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_METHOD, 0);
+    rows rows;
+    const armtol_fault fault = find(answer, question, &rows);
+    free_rows(&rows);
+    return fault;
 }

@@ -1,6 +1,7 @@
 #include "lib/engine/parts.h"
 
 #include "armtol/machining.h"
+#include "lib/engine/drives.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -62,11 +63,10 @@ void answer_make_parts(armtol_answer *answer, const armtol_question *question)
     const bool sphere = question->tolerances == NULL && question->method == ARMTOL_METHOD_SPHERE;
     for (size_t i = 0; i < answer->n_links; i++) {
         const armtol_link *link = &answer->links[i];
-        const armtol_drive *drive = &question->arm->drives[i];
         const link_tolerances of = of_link(answer, i);
         armtol_part *part = &answer->parts[i];
         *part = sphere ? part_of_sphere(link, &of) : part_of(link, &of);
-        part->drive = link->joint == ARMTOL_FIXED ? (double)NAN : armtol_drive_error(drive);
+        part->drive = answer_drive_error(answer, question, i);
     }
 }
 

@@ -3,6 +3,7 @@
 #include "armtol/link_transform.h"
 #include "armtol/tool_matrix.h"
 #include "lib/engine/check.h"
+#include "lib/engine/drives.h"
 
 #include <stdbool.h>
 #include <stdlib.h>
@@ -19,7 +20,7 @@ static armtol_status place(armtol_answer *answer, const armtol_question *questio
 {
     const armtol_arm *arm = question->arm;
     const size_t n = answer->n_columns, n_joints = answer->n_joints;
-    const double none = 0, *q = n_joints > 0 ? question->q + pose * n_joints : &none;
+    const double none = 0, *q = n_joints > 0 ? question->q + pose / answer->n_loads * n_joints : &none;
     armtol_link *links = answer->links + pose * answer->n_links;
     const armtol_status status =
         armtol_links_place(arm->links, arm->n_links, q, n_joints, &armtol_errata_none, links);
@@ -35,7 +36,8 @@ armtol_fault answer_place(armtol_answer *answer, const armtol_question *question
     answer->n_links = arm->n_links;
     answer->n_joints = armtol_joint_count(arm->links, arm->n_links);
     answer->n_columns = armtol_column_count(arm->links, arm->n_links);
-    answer->n_poses = question->n_poses;
+    answer->n_loads = question_load_count(question);
+    answer->n_poses = question->n_poses * answer->n_loads;
     answer->tool = question->tool;
     if (!get_memory(answer)) {
         return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
@@ -46,7 +48,7 @@ armtol_fault answer_place(armtol_answer *answer, const armtol_question *question
     while (pose < answer->n_poses && (status = place(answer, question, pose)) == ARMTOL_OK) {
         pose++;
     }
-    return fault_of(status, ARMTOL_ABOUT_POSE, pose);
+    return fault_of(status, ARMTOL_ABOUT_POSE, pose / answer->n_loads);
 }
 
 const armtol_link *armtol_answer_links(const armtol_answer *answer, size_t pose)
@@ -57,6 +59,27 @@ const armtol_link *armtol_answer_links(const armtol_answer *answer, size_t pose)
 const double *armtol_answer_matrix(const armtol_answer *answer, size_t pose)
 {
     return answer->matrices + pose * 6 * answer->n_columns;
+}
+
+const double *armtol_answer_bounded(const armtol_answer *answer, size_t pose)
+{
+    return answer->bounded + pose * answer->n_columns;
+}
+
+const double *armtol_answer_shifts(const armtol_answer *answer, size_t pose)
+{
+    return answer->shifts + pose * answer->n_columns;
+}
+
+double armtol_answer_shift(const armtol_answer *answer, size_t pose, size_t component)
+{
+    const double *row = armtol_answer_matrix(answer, pose) + component * answer->n_columns;
+    const double *shifts = armtol_answer_shifts(answer, pose);
+    double sum = 0;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        sum += row[k] * shifts[k];
+    }
+    return sum;
 }
 
 void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3])

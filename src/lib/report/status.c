@@ -22,6 +22,9 @@ const char *armtol_status_text(armtol_status status)
         [ARMTOL_NO_MEMORY] = "out of memory",
         [ARMTOL_BAD_QUESTION] = "the question lacks something, or its method is not known",
         [ARMTOL_UNBOUNDED] = "the tolerances leave a component without a bound",
+        [ARMTOL_BAD_LOAD] = "a mass, a drive or a compensated share is out of range, or nothing loads a compliance",
+        [ARMTOL_BAD_RANGE] = "a tolerance's range is none, or none that this method keeps to",
+        [ARMTOL_NOTHING_LEFT] = "what is given exceeds the accuracy by itself",
     };
     const size_t index = (size_t)status;
     return index < ARMTOL_STATUS_COUNT ? texts[index] : "unknown status";

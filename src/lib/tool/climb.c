@@ -10,7 +10,7 @@ typedef struct slope {
     const armtol_link *links;
     size_t n_links;
     const armtol_tool_point *tool;
-    const double *tolerances;
+    const double *shifts, *tolerances;
     size_t n_columns;
     armtol_error_size size;
     const void *context;
@@ -28,13 +28,13 @@ static double size_at(const slope *slope, const double errors[])
 static double climb_one(const slope *slope, double most, size_t k, double errors[])
 {
     static const double least_gain = 1e-9; /* less may be rounding, and not end */
-    const double tolerance = slope->tolerances[k];
+    const double shift = slope->shifts != NULL ? slope->shifts[k] : 0;
     for (int sign = -1; sign <= 1; sign += 2) {
-        const double before = errors[k];
-        if (before == sign * tolerance) {
+        const double before = errors[k], end = shift + sign * slope->tolerances[k];
+        if (before == end) {
             continue;
         }
-        errors[k] = sign * tolerance;
+        errors[k] = end;
         const double changed = size_at(slope, errors);
         if (changed > most * (1 + least_gain)) {
             most = changed;
@@ -45,11 +45,12 @@ static double climb_one(const slope *slope, double most, size_t k, double errors
     return most;
 }
 
-double armtol_climb(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double tolerances[],
-                    size_t n_columns, armtol_error_size size, const void *context, double errors[])
+double armtol_climb(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double shifts[],
+                    const double tolerances[], size_t n_columns, armtol_error_size size, const void *context,
+                    double errors[])
 {
     enum { MOST_ROUNDS = 100 }; /* two or three do, where errors are small */
-    const slope slope = {links, n_links, tool, tolerances, n_columns, size, context};
+    const slope slope = {links, n_links, tool, shifts, tolerances, n_columns, size, context};
     double most = size_at(&slope, errors), before = -1;
     for (int round = 0; round < MOST_ROUNDS && most > before; round++) {
         before = most;

@@ -1,6 +1,7 @@
 #include "armtol/sampler.h"
 
 #include "armtol/error_matrix.h"
+#include "armtol/link_transform.h"
 #include "armtol/transform.h"
 #include "lib/report/columns.h"
 #include "lib/report/finite.h"
@@ -163,4 +164,11 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
     };
     measure(sampler);
     return ARMTOL_OK;
+}
+
+void armtol_sampler_aim(armtol_sampler *sampler, const armtol_link meant[])
+{
+    sampler->meant = armtol_chain_transform(meant, sampler->n_links, &armtol_errata_none);
+    sampler->start = armtol_transform_inverse(&sampler->meant, &armtol_errata_none);
+    sampler->large_turn = true; /* nothing says how far the one is from the other */
 }
