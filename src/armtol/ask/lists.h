@@ -25,14 +25,14 @@ typedef struct parameter_table {
     const armtol_column *columns; /* of A */
     size_t n_columns;
     const char *value; /* the name of the column that is wanted: tolerance, weight */
-    bool all;          /* every parameter has to have a value; else what has none stays as it was */
+    bool zero_allowed; /* a value may be 0; what has no row stays as it was */
     const char *length_unit; /* what a column `unit`, where there is one, has to say of lengths, and of angles; */
     const char *angle_unit;  /* NULL where values have no units */
 } parameter_table;
 
 /*
  * Rows of link (its number from 0), parameter (theta, d, a, alpha, beta) and the wanted value; other columns are passed
- * over. So `armtol --csv` can be read again. Values are greater than 0; "inf" or "-" is infinite where
+ * over. So `armtol --csv` can be read again. Values are greater than 0, or 0 where zero_allowed; "inf" or "-" is infinite where
  * infinite_allowed. After a message values[] is of no use.
  */
 bool parameters_read(FILE *stream, const char *path, const parameter_table *table, bool infinite_allowed,

@@ -28,6 +28,13 @@ enum {
     OPTION_SIGMA,
     OPTION_DELTA,
     OPTION_WEIGHTS,
+    OPTION_GIVEN,
+    OPTION_WISH,
+    OPTION_DRIVES,
+    OPTION_PAYLOAD,
+    OPTION_GRAVITY,
+    OPTION_FORCE,
+    OPTION_COMPENSATED,
     OPTION_BUDGET,
     OPTION_VERIFY,
     OPTION_SEED,
@@ -55,6 +62,13 @@ static const struct option long_options[] = {
     {"sigma", required_argument, NULL, OPTION_SIGMA},
     {"delta", required_argument, NULL, OPTION_DELTA},
     {"weights", required_argument, NULL, OPTION_WEIGHTS},
+    {"given", required_argument, NULL, OPTION_GIVEN},
+    {"wish", required_argument, NULL, OPTION_WISH},
+    {"drives", required_argument, NULL, OPTION_DRIVES},
+    {"payload", required_argument, NULL, OPTION_PAYLOAD},
+    {"gravity", required_argument, NULL, OPTION_GRAVITY},
+    {"force", required_argument, NULL, OPTION_FORCE},
+    {"compensated", required_argument, NULL, OPTION_COMPENSATED},
     {"budget", no_argument, NULL, OPTION_BUDGET},
     {"verify", required_argument, NULL, OPTION_VERIFY},
     {"seed", required_argument, NULL, OPTION_SEED},
@@ -145,6 +159,57 @@ static bool take_action(cli_action action, cli_options *options)
     return true;
 }
 
+static bool take_wish(const char *text, cli_options *options)
+{
+    static const char *const names[] = {"tolerances", "motors"};
+    const size_t i = choose("--wish", text, names, 2);
+    options->wish_motors = i == 1;
+    return i < 2;
+}
+
+static bool take_payload(const char *text, cli_options *options)
+{
+    if (options->n_payloads == MOST_PAYLOADS) {
+        message("--payload: more than %d load cases", MOST_PAYLOADS);
+        return false;
+    }
+    options->payloads[options->n_payloads++] = text;
+    return true;
+}
+
+static bool take_share(const char *text, double *share)
+{
+    if (!number_option_parse("--compensated", text, share)) {
+        return false;
+    }
+    if (*share < 0 || *share > 1) {
+        message("--compensated: %s is not from 0 to 1", message_quote(text, &(quoted){""}));
+        return false;
+    }
+    return true;
+}
+
+/* Options that say what loads the arm, and what is known of its drives. */
+static bool take_loading(int option, const char *argument, cli_options *options)
+{
+    switch (option) {
+    case OPTION_GIVEN:
+        return take_text(argument, &options->given);
+    case OPTION_WISH:
+        return take_wish(argument, options);
+    case OPTION_DRIVES:
+        return take_text(argument, &options->drives);
+    case OPTION_PAYLOAD:
+        return take_payload(argument, options);
+    case OPTION_GRAVITY:
+        return take_text(argument, &options->gravity);
+    case OPTION_FORCE:
+        return take_text(argument, &options->force);
+    default:
+        return take_share(argument, &options->compensated);
+    }
+}
+
 /* Options that say what is known and wanted. */
 static bool take_problem(int option, const char *argument, cli_options *options)
 {
@@ -171,9 +236,11 @@ static bool take_problem(int option, const char *argument, cli_options *options)
         return take_frame(argument, &options->frame);
     case OPTION_METHOD:
         return take_method(argument, &options->method);
-    default:
+    case OPTION_SIGMA:
         options->sigma_given = true;
         return number_option_positive("--sigma", argument, &options->sigma);
+    default:
+        return take_loading(option, argument, options);
     }
 }
 
@@ -261,6 +328,9 @@ static const char *fault_of_question(const cli_options *options)
     }
     if (options->delta != NULL && (options->tolerances != NULL || options->method != ARMTOL_METHOD_SPHERE)) {
         return "--delta is for --method sphere";
+    }
+    if (options->given != NULL && options->tolerances != NULL) {
+        return "--given is for tolerances that are asked for, and --tolerances gives them all";
     }
     if (options->sigma_given && options->method != ARMTOL_METHOD_RSS) {
         return "--sigma is for --method rss";

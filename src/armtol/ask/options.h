@@ -7,6 +7,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+enum { MOST_PAYLOADS = 64 };
+
 typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_HELP, CLI_VERSION } cli_action;
 
 typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
@@ -25,6 +27,13 @@ typedef struct cli_options {
     const char *weights;
     const char *delta;
     const char *tolerances;
+    const char *given;
+    const char *drives;
+    const char *gravity, *force;
+    double compensated;
+    const char *payloads[MOST_PAYLOADS];
+    size_t n_payloads;
+    bool wish_motors;
     armtol_frame frame;
     unit_choice length; /* small: mm, large: m */
     unit_choice angle;  /* small: degrees, large: radians */

@@ -142,9 +142,9 @@ static bool read_value(const parameter_reader *reader, double *value)
                       number_fault_text(fault));
         return false;
     }
-    if (!(number.value > 0)) {
-        cells_message(&reader->row, place, "%s: %s is not greater than zero", reader->table->value,
-                      message_quote(cell->text, &quote));
+    if (!(number.value > 0 || (reader->table->zero_allowed && number.value == 0))) {
+        cells_message(&reader->row, place, "%s: %s is %s", reader->table->value, message_quote(cell->text, &quote),
+                      reader->table->zero_allowed ? "negative" : "not greater than zero");
         return false;
     }
     *value = number.value;
@@ -192,36 +192,9 @@ static bool read_rows(parameter_reader *reader)
     return result == LINE_NONE;
 }
 
-/* ---- what is missing ---- */
-
-/* Names the first few. */
-static bool check_complete(const parameter_reader *reader)
-{
-    enum { NAMED = 5 };
-    const parameter_table *table = reader->table;
-    char list[256] = "", more[64] = "";
-    size_t n = 0, length = 0;
-    for (size_t k = 0; k < table->n_columns; k++) {
-        if (reader->lines[k] > 0) {
-            continue;
-        }
-        if (n++ < NAMED) {
-            length += (size_t)snprintf(list + length, sizeof list - length, "%s%s of link %zu", n > 1 ? ", " : "",
-                                       armtol_parameter_name(table->columns[k].parameter), table->columns[k].link);
-        }
-    }
-    if (n > NAMED) {
-        snprintf(more, sizeof more, " and %zu more", n - NAMED);
-    }
-    if (n > 0) {
-        message("%s: no %s for %s%s", reader->text.path, table->value, list, more);
-    }
-    return n == 0;
-}
-
 static bool read_all(parameter_reader *reader)
 {
-    return read_head(reader) && read_rows(reader) && (!reader->table->all || check_complete(reader));
+    return read_head(reader) && read_rows(reader);
 }
 
 bool parameters_read(FILE *stream, const char *path, const parameter_table *table, bool infinite_allowed,

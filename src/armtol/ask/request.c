@@ -1,6 +1,8 @@
 #include "armtol/ask/request.h"
 
+#include "armtol/ask/given.h"
 #include "armtol/ask/lists.h"
+#include "armtol/ask/nothing_left.h"
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
 #include "console/exit_code.h"
@@ -128,6 +130,64 @@ static bool take_poses(request *request)
     return fine;
 }
 
+/* ---- loads ---- */
+
+/* "M" or "M,x,y,z" */
+static bool take_payload(const units *units, const char *text, armtol_mass *payload)
+{
+    double values[4] = {0, 0, 0, 0};
+    const bool placed = strchr(text, ',') != NULL;
+    if (!number_list_parse("--payload", text, placed ? "kg,x,y,z" : "kg, or kg,x,y,z", false, placed ? 4 : 1, values)) {
+        return false;
+    }
+    if (values[0] < 0) {
+        message("--payload: %s: a mass is not negative", message_quote(text, &(quoted){""}));
+        return false;
+    }
+    *payload = (armtol_mass){.mass = values[0]};
+    for (int i = 0; i < 3; i++) {
+        payload->center[i] = units_taken(units, true, values[i + 1]);
+    }
+    return true;
+}
+
+static bool take_vector(const char *option, const char *text, double values[3])
+{
+    return text == NULL || number_list_parse(option, text, "x,y,z", false, 3, values);
+}
+
+static bool take_loads(request *request)
+{
+    const cli_options *options = request->options;
+    armtol_loading *loading = &request->loading;
+    *loading = armtol_loading_standard;
+    loading->compensated = options->compensated;
+    loading->payloads = request->payloads;
+    loading->n_payloads = options->n_payloads;
+    request->question.loading = loading;
+    request->question.drives_apart = options->wish_motors;
+    bool fine = take_vector("--gravity", options->gravity, loading->gravity) &&
+                take_vector("--force", options->force, loading->force);
+    for (size_t i = 0; i < options->n_payloads && fine; i++) {
+        fine = take_payload(&request->units, options->payloads[i], &request->payloads[i]);
+    }
+    return fine;
+}
+
+/* The model's drives, and what --drives says of them. */
+static bool take_drives(request *request)
+{
+    const armtol_arm *arm = &request->arm;
+    request->drives = calloc(arm->n_links, sizeof *request->drives);
+    if (request->drives == NULL) {
+        out_of_memory();
+        return false;
+    }
+    memcpy(request->drives, arm->drives, arm->n_links * sizeof *request->drives);
+    request->arm.drives = request->drives;
+    return given_drives_parse(request->options->drives, arm, &request->units, request->drives);
+}
+
 /* ---- wishes ---- */
 
 /* From the user's units to inside ones; false where no double holds a finite value there. */
@@ -196,11 +256,15 @@ static bool take_tolerances(request *request, const char *path)
 static bool read_tolerances(request *request)
 {
     const char *path = request->options->tolerances;
+    if (strchr(path, '=') != NULL) {
+        const named_columns of = {request->question.arm, request->columns, request->n_columns};
+        return given_tolerances_parse(path, &of, &request->units, request->tolerances);
+    }
     const parameter_table table = {.links = request->question.arm->links,
                                    .columns = request->columns,
                                    .n_columns = request->n_columns,
                                    .value = "tolerance",
-                                   .all = true,
+                                   .zero_allowed = true,
                                    .length_unit = units_name(&request->units, true),
                                    .angle_unit = units_name(&request->units, false)};
     FILE *stream = input_file_open("--tolerances: ", path, "");
@@ -219,10 +283,13 @@ static bool get_memory(request *request)
     request->n_columns = n;
     request->columns = calloc(n, sizeof *request->columns);
     request->weights = calloc(n, sizeof *request->weights);
+    request->least = calloc(n, sizeof *request->least);
+    request->largest = calloc(n, sizeof *request->largest);
     if (request->options->tolerances != NULL) {
         request->tolerances = calloc(n, sizeof *request->tolerances);
     }
-    const bool enough = request->columns != NULL && request->weights != NULL &&
+    const bool enough = request->columns != NULL && request->weights != NULL && request->least != NULL &&
+                        request->largest != NULL &&
                         (request->options->tolerances == NULL || request->tolerances != NULL);
     if (!enough) {
         out_of_memory();
@@ -236,7 +303,11 @@ static bool take_values(request *request)
     armtol_columns(arm->links, arm->n_links, request->columns, request->n_columns);
     request->question.weights = request->weights;
     request->question.tolerances = request->tolerances;
-    return take_accuracy(request) && take_delta(request) &&
+    request->question.least = request->least;
+    request->question.largest = request->largest;
+    const named_columns of = {arm, request->columns, request->n_columns};
+    return given_parse(request->options->given, &of, &request->units, request->least, request->largest) &&
+           take_accuracy(request) && take_delta(request) &&
            weights_parse(request->options->weights, arm, request->columns, request->n_columns, request->weights) &&
            (request->tolerances == NULL || read_tolerances(request));
 }
@@ -246,9 +317,10 @@ int request_make(request *request, const cli_options *options, const arm_model *
     *request = (struct request){
         .options = options,
         .units = units_of(options, model),
-        .question = {.arm = &model->arm, .method = options->method, .sigma = options->sigma},
+        .arm = model->arm,
+        .question = {.arm = &request->arm, .method = options->method, .sigma = options->sigma},
     };
-    const bool fine = take_poses(request) && get_memory(request) && take_values(request);
+    const bool fine = take_drives(request) && take_poses(request) && take_loads(request) && get_memory(request) && take_values(request);
     if (!fine) {
         request_free(request);
     }
@@ -261,6 +333,9 @@ void request_free(request *request)
     free(request->columns);
     free(request->weights);
     free(request->tolerances);
+    free(request->least);
+    free(request->largest);
+    free(request->drives);
 }
 
 /* ---- the answer ---- */
@@ -271,6 +346,14 @@ int request_failed(const request *request, const armtol_fault *fault)
     if (fault->status == ARMTOL_NO_MEMORY) {
         out_of_memory();
         return EXIT_FAILED;
+    }
+    if (fault->status == ARMTOL_NOTHING_LEFT) {
+        return nothing_left(request, fault->number);
+    }
+    if (fault->about == ARMTOL_ABOUT_DRIVES) {
+        message("the drive of link %zu: nothing says what loads its compliance; expected masses in the arm's table, "
+                "--payload, --force, or a moment beside the compliance", fault->number);
+        return EXIT_WRONG;
     }
     if (fault->about == ARMTOL_ABOUT_ARM || fault->about == ARMTOL_ABOUT_POSE) {
         message("%s in these poses: %s", request->question.arm->name, text);

@@ -13,6 +13,11 @@ typedef struct request {
     armtol_question question;
     double accuracy[6];               /* the question's, as are these: */
     double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */
+    double *least, *largest;
+    armtol_arm arm;       /* the model's, with drives of its own: */
+    armtol_drive *drives;
+    armtol_loading loading;
+    armtol_mass payloads[MOST_PAYLOADS];
     armtol_column *columns;           /* of A */
     size_t n_columns;
 } request;

@@ -118,25 +118,38 @@ static double left_of(const armtol_answer *answer, const armtol_question *questi
     return used == 0 ? limit : used < limit ? sqrt(limit - used) * sqrt(limit + used) : limit - used;
 }
 
+static bool is_asked(const rows *rows, size_t row)
+{
+    bool asked = false;
+    for (size_t j = 0; j < rows->n_free; j++) {
+        asked = asked || rows->matrix[row * rows->n_free + j] != 0;
+    }
+    return asked;
+}
+
 /*
  * The limits of the accuracy. A row in which nothing is asked for may be used up by what is given, and to its last digit;
- * rounding apart, no row may by more.
+ * rounding apart, no row may by more. The fault is of the row of which least is left.
  */
 static armtol_fault pack_limits(rows *rows, const armtol_answer *answer, const armtol_question *question)
 {
     static const double rounding = 1e-12;
+    double least = (double)INFINITY;
+    size_t tightest = 0;
+    bool enough = true;
     for (size_t row = 0; row < rows->n_rows; row++) {
-        const double least = rounding * question->accuracy[row % 6], left = left_of(answer, question, row);
-        bool asked = false;
-        for (size_t j = 0; j < rows->n_free; j++) {
-            asked = asked || rows->matrix[row * rows->n_free + j] != 0;
+        const double accuracy = question->accuracy[row % 6];
+        const bool asked = is_asked(rows, row);
+        rows->limits[row] = (double)INFINITY;
+        if (isfinite(accuracy)) {
+            const double left = left_of(answer, question, row), part = left / accuracy;
+            enough = enough && (asked ? part > rounding : part >= -rounding);
+            tightest = part < least ? row : tightest;
+            least = fmin(least, part);
+            rows->limits[row] = asked ? left : (double)INFINITY;
         }
-        if (isfinite(question->accuracy[row % 6]) && (asked ? left <= least : left < -least)) {
-            return fault_of(ARMTOL_NOTHING_LEFT, ARMTOL_ABOUT_ROW, row);
-        }
-        rows->limits[row] = asked ? left : (double)INFINITY;
     }
-    return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
+    return fault_of(enough ? ARMTOL_OK : ARMTOL_NOTHING_LEFT, ARMTOL_ABOUT_ROW, tightest);
 }
 
 static armtol_fault pack(rows *rows, const armtol_answer *answer, const armtol_question *question)
