@@ -6,6 +6,8 @@
 #include "armtol/budget.h"
 #include "armtol/verification.h"
 
+#include <stdbool.h>
+
 /* All that there is to tell. NULL for what was not asked for. */
 typedef struct findings {
     const request *request;
@@ -22,11 +24,16 @@ typedef struct parameter_row {
     const char *unit;
     double nominal;   /* in the pose; of several poses, at joint value 0 */
     double tolerance; /* infinity for one that does not matter */
+    bool given;       /* by a drive or by --given */
+    double held;      /* the share of the optimum that its range holds; negative for its least */
 } parameter_row;
 
 parameter_row findings_parameter(const findings *findings, size_t column);
 
 /* A component's number in the user's units. */
 double findings_shown(const findings *findings, size_t component, double value);
+
+/* How far the droops of a pose's loads are apart, component by component, in the user's units. */
+void findings_load_difference(const findings *findings, size_t pose, double difference[6]);
 
 #endif

@@ -30,11 +30,11 @@ static void write_poses(json *json, const findings *findings)
     const armtol_answer *answer = findings->answer;
     const units *units = &findings->request->units;
     json_open_array(json, "poses");
-    for (size_t pose = 0; pose < answer->n_poses; pose++) {
+    for (size_t pose = 0; pose < findings->request->question.n_poses; pose++) {
         const double *q = findings->request->q + pose * answer->n_joints;
         double point[3];
         size_t joint = 0;
-        armtol_answer_tool(answer, pose, point);
+        armtol_answer_tool(answer, pose * answer->n_loads, point);
         json_open_object(json, NULL);
         json_open_array(json, "joints");
         for (size_t i = 0; i < answer->n_links; i++) {
@@ -85,6 +85,8 @@ static void write_parameters(json *json, const findings *findings)
         json_text(json, "unit", row.unit);
         json_number(json, "nominal", row.nominal);
         json_number(json, "tolerance", row.tolerance);
+        json_text(json, "set_by", row.given ? "given" : row.held > 0 ? "largest" : row.held < 0 ? "least" : "accuracy");
+        json_number(json, "held", fabs(row.held));
         json_close_object(json);
     }
     json_close_array(json);
@@ -119,10 +121,59 @@ static void write_components(json *json, const findings *findings)
         json_text(json, "name", armtol_component_name(i));
         json_number(json, "accuracy", accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
         json_number(json, "worst_case", findings_shown(findings, i, component->worst));
+        json_number(json, "load", findings_shown(findings, i, component->shift));
         json_number(json, "standard_deviation", findings_shown(findings, i, component->deviation));
         json_number(json, "remainder", findings_shown(findings, i, component->remainder));
         json_number(json, "binds", component->binds);
         json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+/* What moments do, one pose and load after the other: of every joint, and where it takes the tool. */
+static void write_load(json *json, const findings *findings, size_t place)
+{
+    const armtol_answer *answer = findings->answer;
+    double droop[6];
+    json_open_object(json, NULL);
+    json_count(json, "pose", place / answer->n_loads + 1);
+    json_count(json, "load", place % answer->n_loads + 1);
+    json_open_array(json, "joints");
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        const armtol_column *at = &answer->columns[k];
+        const armtol_joint joint = answer->links[at->link].joint;
+        if (armtol_joint_moves(joint, at->parameter)) {
+            json_open_object(json, NULL);
+            json_count(json, "link", at->link);
+            json_number(json, "moment", answer->moments[place * answer->n_links + at->link]);
+            json_number(json, "shift", units_shown(&findings->request->units, joint == ARMTOL_PRISMATIC,
+                                                   armtol_answer_shifts(answer, place)[k]));
+            json_number(json, "half_width", units_shown(&findings->request->units, joint == ARMTOL_PRISMATIC,
+                                                        armtol_answer_bounded(answer, place)[k]));
+            json_close_object(json);
+        }
+    }
+    json_close_array(json);
+    for (size_t i = 0; i < 6; i++) {
+        droop[i] = findings_shown(findings, i, answer->droops[6 * place + i]);
+    }
+    json_numbers(json, "droop", droop, 6);
+    json_close_object(json);
+}
+
+static void write_loads(json *json, const findings *findings)
+{
+    const armtol_answer *answer = findings->answer;
+    json_open_array(json, "loads");
+    for (size_t place = 0; place < answer->n_poses; place++) {
+        write_load(json, findings, place);
+    }
+    json_close_array(json);
+    json_open_array(json, "load_differences");
+    for (size_t pose = 0; pose < findings->request->question.n_poses && answer->n_loads > 1; pose++) {
+        double difference[6];
+        findings_load_difference(findings, pose, difference);
+        json_numbers(json, NULL, difference, 6);
     }
     json_close_array(json);
 }
@@ -192,11 +243,15 @@ bool output_json(const findings *findings)
     json_text(&json, "armtol", armtol_version());
     write_arm(&json, findings);
     write_method(&json, findings);
+    json_text(&json, "drives", options->wish_motors ? "apart" : "in");
     json_text(&json, "frame", options->frame == ARMTOL_TOOL_FRAME ? "tool" : "base");
     write_poses(&json, findings);
     write_parameters(&json, findings);
     write_parts(&json, findings);
     write_components(&json, findings);
+    if (findings->answer->loaded) {
+        write_loads(&json, findings);
+    }
     if (findings->budget != NULL) {
         write_budget(&json, findings->budget);
     }

@@ -14,7 +14,7 @@ static void print_pose(const findings *findings, size_t pose)
     const double *q = findings->request->q + pose * answer->n_joints;
     double point[3];
     size_t joint = 0;
-    armtol_answer_tool(answer, pose, point);
+    armtol_answer_tool(answer, pose * answer->n_loads, point);
     printf("  joints");
     for (size_t i = 0; i < answer->n_links; i++) {
         const armtol_joint moved = answer->links[i].joint;
@@ -31,7 +31,7 @@ static void print_pose(const findings *findings, size_t pose)
 
 static void print_poses(const findings *findings)
 {
-    const size_t n_poses = findings->answer->n_poses;
+    const size_t n_poses = findings->request->question.n_poses;
     for (size_t pose = 0; pose < n_poses && pose < MOST_POSES; pose++) {
         print_pose(findings, pose);
     }
@@ -65,6 +65,24 @@ static void print_method(const findings *findings)
     }
 }
 
+/* What of Eq. (4.20) is in the errors, or is not. */
+static void print_drives(const findings *findings)
+{
+    const request *request = findings->request;
+    size_t known = 0;
+    for (size_t i = 0; i < request->arm.n_links; i++) {
+        known += request->arm.links[i].joint != ARMTOL_FIXED && armtol_drive_is_known(&request->arm.drives[i]);
+    }
+    if (known == 0) {
+        return;
+    }
+    if (request->question.drives_apart) {
+        printf("The drives are NOT in these errors (--wish motors): the table of parts says whether they are good enough.\n");
+        return;
+    }
+    printf("The drives of %zu of %zu joints are known, and are in all errors.\n", known, findings->answer->n_joints);
+}
+
 /* Parameters that no wish depends on, or that are given without a bound. */
 static void print_unbounded(const findings *findings)
 {
@@ -89,6 +107,7 @@ static void print_heading(const findings *findings)
     printf("%s, in %s and %s\n", request->question.arm->title, units_name(units, true), units_name(units, false));
     print_poses(findings);
     print_method(findings);
+    print_drives(findings);
 }
 
 bool output_text(const findings *findings)
@@ -96,7 +115,7 @@ bool output_text(const findings *findings)
     print_heading(findings);
     const bool fine = text_parameters(findings);
     print_unbounded(findings);
-    return fine && text_parts(findings) && text_components(findings) &&
+    return fine && text_parts(findings) && text_components(findings) && text_loads(findings) &&
            (findings->budget == NULL || text_budget(findings)) &&
            (findings->verification == NULL || text_verification(findings));
 }

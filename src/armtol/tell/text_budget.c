@@ -13,6 +13,15 @@ static void add_shares(table *table, const double shares[6])
     }
 }
 
+static bool has_loads(const armtol_budget *budget)
+{
+    bool any = false;
+    for (size_t r = 0; r < budget->n_rows; r++) {
+        any = any || budget->rows[r].role == ARMTOL_LOAD;
+    }
+    return any;
+}
+
 static bool print_table(const armtol_budget *budget)
 {
     table table = TABLE_EMPTY;
@@ -26,6 +35,10 @@ static bool print_table(const armtol_budget *budget)
     }
     table_add(&table, "all motors");
     add_shares(&table, budget->motors);
+    if (has_loads(budget)) {
+        table_add(&table, "all loads");
+        add_shares(&table, budget->loads);
+    }
     return table_finish(&table, "Where the error comes from, % of each component", NULL, FORMAT_TEXT, stdout);
 }
 
@@ -44,7 +57,8 @@ static void print_bar(const armtol_budget *budget, size_t i, armtol_role role)
     for (size_t r = 0; r < budget->n_rows; r++) {
         const armtol_budget_row *row = &budget->rows[r];
         sum += row->role == role ? row->shares[i] : 0;
-        for (const size_t end = (size_t)(fmin(sum, 1) * BAR + 0.5); at < end; at++) {
+        /* a load that takes off from others leaves its own part of the bar empty */
+        for (const size_t end = (size_t)(fmax(fmin(sum, 1), 0) * BAR + 0.5); at < end; at++) {
             putchar(sign_of(row->link));
         }
     }
@@ -61,6 +75,10 @@ static void print_bars(const armtol_budget *budget, size_t i)
     print_bar(budget, i, ARMTOL_MOTOR);
     printf("     machining |");
     print_bar(budget, i, ARMTOL_MACHINING);
+    if (has_loads(budget)) {
+        printf("     loads     |");
+        print_bar(budget, i, ARMTOL_LOAD);
+    }
 }
 
 bool text_budget(const findings *findings)

@@ -20,16 +20,32 @@ static void add_number(table *table, double value)
     add_digits(table, 6, value);
 }
 
+/* Whether a drive, or --given, says something of a tolerance. */
+static bool any_is_set(const armtol_answer *answer)
+{
+    bool any = false;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        any = any || answer->given[k] || answer->held[k] != 0;
+    }
+    return any;
+}
+
+static const char *origin_of(const parameter_row *row)
+{
+    return row->given ? "given" : row->held > 0 ? "its largest" : row->held < 0 ? "its least" : "-";
+}
+
 bool text_parameters(const findings *findings)
 {
+    const bool shows_origin = findings->request->tolerances == NULL && any_is_set(findings->answer);
     table table = TABLE_EMPTY;
-    table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit");
+    table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit%s", shows_origin ? "\tset by" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row parameter = findings_parameter(findings, k);
         table_add(&table, "%zu\t%s\t%s\t%s", parameter.link, parameter.kind, parameter.parameter, parameter.role);
         add_number(&table, parameter.nominal);
         add_number(&table, parameter.tolerance);
-        table_add_cells(&table, "%s", parameter.unit);
+        table_add_cells(&table, "%s\t%s", parameter.unit, origin_of(&parameter));
     }
     return table_finish(&table, "Parameters", NULL, FORMAT_TEXT, stdout);
 }
@@ -57,7 +73,9 @@ bool text_parts(const findings *findings)
         drives = drives || !isnan(findings->answer->parts[i].drive);
     }
     table table = TABLE_EMPTY;
-    table_add(&table, "link\tdistance\tangle\tmotor\tunit%s", drives ? "\tits drive\tgood enough" : "");
+    table_add(&table, "link\tdistance\tangle\tmotor\tunit%s", !drives                                   ? ""
+              : findings->request->question.drives_apart ? "\tits drive\tgood enough"
+                                                         : "\tits drive");
     for (size_t i = 0; i < answer->n_links; i++) {
         add_part(findings, i, &table);
     }
@@ -76,7 +94,10 @@ static void add_component(const findings *findings, size_t i, table *table)
         add_number(table, accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
     }
     add_number(table, findings_shown(findings, i, component->worst));
-    add_number(table, findings_shown(findings, i, request->options->sigma * component->deviation));
+    add_number(table, findings_shown(findings, i, component->shift + request->options->sigma * component->deviation));
+    if (findings->answer->loaded) {
+        add_number(table, findings_shown(findings, i, component->shift));
+    }
     add_number(table, findings_shown(findings, i, component->remainder));
     table_add_cells(table, "%s", units_name(&request->units, i < 3));
     table_add_cells(table, component->binds > 5e-4 ? "%.1f %%" : "-", 100 * component->binds);
@@ -88,7 +109,8 @@ bool text_components(const findings *findings)
     const bool optimum = request->tolerances == NULL && request->options->method != ARMTOL_METHOD_SPHERE;
     const bool along_tool = request->options->frame == ARMTOL_TOOL_FRAME;
     table table = TABLE_EMPTY;
-    table_add(&table, "component\taccuracy\tworst case\t%g sigma\tremainder\tunit%s", request->options->sigma,
+    table_add(&table, "component\taccuracy\tworst case\t%g sigma%s\tremainder\tunit%s", request->options->sigma,
+              findings->answer->loaded ? "\tload" : "",
               optimum ? "\theld down by it" : "");
     for (size_t i = 0; i < 6; i++) {
         add_component(findings, i, &table);
