@@ -10,12 +10,15 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- what is left beside what is given ---- */
 
 /* The columns that are asked for, and A, limits and weights for them alone: `extra` rows more than A has, a column's each. */
 typedef struct rows {
     size_t n_free, n_rows, n_extra;
+    bool *pinned;          /* a column of A: held at its least for now, as if that were given */
+    double *pulls;         /* a column of A: what the rows take of it at the optimum, as a part of what its weight is worth */
     size_t *free_columns;  /* n_free: their places in A */
     armtol_column *columns; /* n_free */
     double *matrix;        /* (n_rows + n_extra) x n_free */
@@ -31,6 +34,8 @@ static void *get(size_t count, size_t size)
 
 static void free_rows(rows *rows)
 {
+    free(rows->pinned);
+    free(rows->pulls);
     free(rows->free_columns);
     free(rows->columns);
     free(rows->matrix);
@@ -40,9 +45,15 @@ static void free_rows(rows *rows)
     free(rows->tolerances);
 }
 
+/* Whether a column is asked for at all, and whether it is so with those that are pinned held. */
 static bool has_largest(const armtol_answer *answer, const armtol_question *question, size_t column)
 {
     return !answer->given[column] && isfinite(question_largest(question, column));
+}
+
+static bool is_free(const rows *rows, const armtol_answer *answer, size_t column)
+{
+    return !answer->given[column] && !rows->pinned[column];
 }
 
 static bool get_rows(rows *rows, const armtol_answer *answer, const armtol_question *question)
@@ -52,6 +63,8 @@ static bool get_rows(rows *rows, const armtol_answer *answer, const armtol_quest
         rows->n_free += !answer->given[k];
         rows->n_extra += has_largest(answer, question, k);
     }
+    rows->pinned = get(answer->n_columns, sizeof *rows->pinned);
+    rows->pulls = get(answer->n_columns, sizeof *rows->pulls);
     const size_t all = rows->n_rows + rows->n_extra;
     rows->free_columns = get(rows->n_free, sizeof *rows->free_columns);
     rows->columns = get(rows->n_free, sizeof *rows->columns);
@@ -60,25 +73,34 @@ static bool get_rows(rows *rows, const armtol_answer *answer, const armtol_quest
     rows->multipliers = get(all, sizeof *rows->multipliers);
     rows->weights = get(rows->n_free, sizeof *rows->weights);
     rows->tolerances = get(rows->n_free, sizeof *rows->tolerances);
-    return rows->free_columns != NULL && rows->columns != NULL && rows->matrix != NULL && rows->limits != NULL &&
+    return rows->pinned != NULL && rows->pulls != NULL && rows->free_columns != NULL && rows->columns != NULL && rows->matrix != NULL && rows->limits != NULL &&
            rows->multipliers != NULL && rows->weights != NULL && rows->tolerances != NULL;
+}
+
+/* A row that sees the column alone, in the place of `extra`. */
+static void pack_largest(rows *rows, const armtol_question *question, size_t place, size_t extra)
+{
+    double *row = rows->matrix + extra * rows->n_free;
+    memset(row, 0, rows->n_free * sizeof *row);
+    row[place] = 1;
+    rows->limits[extra] = question_largest(question, rows->free_columns[place]);
 }
 
 static void pack_columns(rows *rows, const armtol_answer *answer, const armtol_question *question)
 {
-    size_t place = 0, extra = rows->n_rows;
+    rows->n_free = 0;
     for (size_t k = 0; k < answer->n_columns; k++) {
-        if (answer->given[k]) {
-            continue;
+        if (is_free(rows, answer, k)) {
+            rows->free_columns[rows->n_free] = k;
+            rows->columns[rows->n_free] = answer->columns[k];
+            rows->weights[rows->n_free++] = question->weights != NULL ? question->weights[k] : 1;
         }
-        rows->free_columns[place] = k;
-        rows->columns[place] = answer->columns[k];
-        rows->weights[place] = question->weights != NULL ? question->weights[k] : 1;
-        if (has_largest(answer, question, k)) { /* a row that sees this column alone */
-            rows->matrix[extra * rows->n_free + place] = 1;
-            rows->limits[extra++] = question_largest(question, k);
+    }
+    rows->n_extra = 0;
+    for (size_t j = 0; j < rows->n_free; j++) {
+        if (has_largest(answer, question, rows->free_columns[j])) {
+            pack_largest(rows, question, j, rows->n_rows + rows->n_extra++);
         }
-        place++;
     }
 }
 
@@ -163,19 +185,8 @@ static armtol_fault pack(rows *rows, const armtol_answer *answer, const armtol_q
 
 /* ---- worst and rss: the optimum ---- */
 
-static void note_held(armtol_answer *answer, const armtol_question *question, const rows *rows)
-{
-    size_t extra = rows->n_rows;
-    for (size_t i = 0; i < rows->n_rows; i++) {
-        answer->components[i % 6].binds += rows->multipliers[i];
-    }
-    for (size_t j = 0; j < rows->n_free; j++) {
-        const size_t k = rows->free_columns[j];
-        answer->held[k] = has_largest(answer, question, k) ? rows->multipliers[extra++] : 0;
-    }
-}
-
-static armtol_status optimise(armtol_answer *answer, const armtol_question *question, const rows *rows)
+/* With the columns that are pinned held. */
+static armtol_status optimise_free(const armtol_question *question, const rows *rows)
 {
     const size_t n_rows = rows->n_rows + rows->n_extra;
     double *workspace = get(armtol_optimum_workspace(n_rows, rows->n_free), sizeof *workspace);
@@ -184,12 +195,123 @@ static armtol_status optimise(armtol_answer *answer, const armtol_question *ques
     }
     const armtol_status status =
         armtol_optimum(is_rss(question) ? ARMTOL_ROOT_SUM_SQUARES : ARMTOL_WORST_CASE, rows->matrix, n_rows, rows->n_free,
-                        rows->limits, rows->weights, rows->tolerances, rows->multipliers, workspace);
+                       rows->limits, rows->weights, rows->tolerances, rows->multipliers, workspace);
     free(workspace);
-    if (status == ARMTOL_OK) {
-        note_held(answer, question, rows);
-    }
     return status;
+}
+
+/*
+ * The least values are held by an active set. At the optimum of the free columns the multipliers say what the rows take
+ * of a pinned column: f(i,k) of optimum.h at its least, summed over the rows. If that is worth less than its weight the
+ * column has to be let go; a free column below its least has to be pinned. Where neither is so, all conditions of
+ * Karush, Kuhn and Tucker hold, and the problem is convex: it is the optimum.
+ */
+static double pull_of(const armtol_answer *answer, const armtol_question *question, const rows *rows, size_t column)
+{
+    const double least = question_least(question, column);
+    double pull = 0;
+    for (size_t row = 0; row < rows->n_rows; row++) {
+        if (rows->multipliers[row] > 0) {
+            const double part = fabs(answer->matrices[row * answer->n_columns + column]) * least / rows->limits[row];
+            pull += rows->multipliers[row] * (is_rss(question) ? part * part : part);
+        }
+    }
+    return pull;
+}
+
+static double free_weight(const rows *rows)
+{
+    double sum = 0;
+    for (size_t j = 0; j < rows->n_free; j++) {
+        sum += isfinite(rows->tolerances[j]) ? rows->weights[j] : 0;
+    }
+    return sum;
+}
+
+/* Rounding apart: what is at its least to ten digits may be on either side of it. */
+static const double slack = 1e-10;
+
+static void pin(rows *rows, armtol_answer *answer, const armtol_question *question, size_t column, bool pinned)
+{
+    rows->pinned[column] = pinned;
+    for (size_t pose = 0; pose < answer->n_poses; pose++) {
+        answer->bounded[pose * answer->n_columns + column] = pinned ? question_least(question, column) : 0;
+    }
+}
+
+static bool pin_low(rows *rows, armtol_answer *answer, const armtol_question *question)
+{
+    bool any = false;
+    for (size_t j = 0; j < rows->n_free; j++) {
+        const size_t k = rows->free_columns[j];
+        if (rows->tolerances[j] < question_least(question, k) * (1 - slack)) {
+            pin(rows, answer, question, k, true);
+            any = true;
+        }
+    }
+    return any;
+}
+
+/* The pinned column that is pulled least; false where each is pulled down by what its weight is worth. */
+static bool let_go(rows *rows, armtol_answer *answer, const armtol_question *question)
+{
+    const double whole = free_weight(rows);
+    double most = -(double)INFINITY;
+    size_t loosest = 0;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (rows->pinned[k]) {
+            const double weight = question->weights != NULL ? question->weights[k] : 1;
+            rows->pulls[k] = whole * pull_of(answer, question, rows, k) / weight;
+            loosest = 1 - rows->pulls[k] > most ? k : loosest;
+            most = fmax(most, 1 - rows->pulls[k]);
+        }
+    }
+    if (most > slack) {
+        pin(rows, answer, question, loosest, false);
+    }
+    return most > slack;
+}
+
+/* What holds the optimum: rows, and the ranges of columns. */
+static void note_held(armtol_answer *answer, const armtol_question *question, const rows *rows)
+{
+    const double whole = free_weight(rows);
+    size_t extra = rows->n_rows;
+    for (size_t i = 0; i < rows->n_rows; i++) {
+        answer->components[i % 6].binds += rows->multipliers[i];
+    }
+    for (size_t j = 0; j < rows->n_free; j++) {
+        const size_t k = rows->free_columns[j];
+        answer->held[k] = has_largest(answer, question, k) ? rows->multipliers[extra++] : 0;
+        answer->tolerances[k] = fmax(rows->tolerances[j], question_least(question, k));
+    }
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (rows->pinned[k]) {
+            const double weight = question->weights != NULL ? question->weights[k] : 1;
+            answer->held[k] = -weight * (rows->pulls[k] - 1) / whole;
+            answer->tolerances[k] = question_least(question, k);
+        }
+    }
+}
+
+static armtol_fault optimise(armtol_answer *answer, const armtol_question *question, rows *rows)
+{
+    const size_t most_rounds = 8 * answer->n_columns + 8; /* a few are enough: no arm is known that takes more than n */
+    for (size_t round = 0; round < most_rounds; round++) {
+        const armtol_fault fault = pack(rows, answer, question);
+        if (fault.status != ARMTOL_OK) {
+            return fault;
+        }
+        const armtol_status status = rows->n_free > 0 ? optimise_free(question, rows) : ARMTOL_OK;
+        if (status != ARMTOL_OK) {
+            return fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_METHOD, 0);
+        }
+        if (!pin_low(rows, answer, question) && !let_go(rows, answer, question)) {
+            note_held(answer, question, rows);
+            return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
+        }
+    }
+    return fault_of(ARMTOL_NOT_SOLVED, ARMTOL_ABOUT_METHOD, 0);
 }
 
 /* ---- sphere: the report's bounds, shared out evenly ---- */
@@ -225,34 +347,40 @@ static armtol_status share_sphere(armtol_answer *answer, const armtol_question *
     return status;
 }
 
-/* ---- both ---- */
-
-static armtol_status share_out(armtol_answer *answer, const armtol_question *question, const rows *rows)
+static bool has_range(const armtol_answer *answer, const armtol_question *question)
 {
-    if (rows->n_free == 0) {
-        return ARMTOL_OK;
+    bool any = false;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        any = any || (!answer->given[k] && (isfinite(question_largest(question, k)) || question_least(question, k) > 0));
     }
-    return question->method == ARMTOL_METHOD_SPHERE ? share_sphere(answer, question, rows)
-                                                    : optimise(answer, question, rows);
+    return any;
 }
+
+static armtol_fault find_sphere(armtol_answer *answer, const armtol_question *question, rows *rows)
+{
+    if (has_range(answer, question)) {
+        return fault_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_METHOD, 0);
+    }
+    const armtol_fault fault = pack(rows, answer, question);
+    if (fault.status != ARMTOL_OK || rows->n_free == 0) {
+        return fault;
+    }
+    const armtol_status status = share_sphere(answer, question, rows);
+    for (size_t j = 0; j < rows->n_free && status == ARMTOL_OK; j++) {
+        answer->tolerances[rows->free_columns[j]] = rows->tolerances[j];
+    }
+    return fault_of(status, ARMTOL_ABOUT_METHOD, 0);
+}
+
+/* ---- both ---- */
 
 static armtol_fault find(armtol_answer *answer, const armtol_question *question, rows *rows)
 {
     if (!get_rows(rows, answer, question)) {
         return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
     }
-    if (question->method == ARMTOL_METHOD_SPHERE && rows->n_extra > 0) {
-        return fault_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_METHOD, 0);
-    }
-    const armtol_fault fault = pack(rows, answer, question);
-    if (fault.status != ARMTOL_OK) {
-        return fault;
-    }
-    const armtol_status status = share_out(answer, question, rows);
-    for (size_t j = 0; j < rows->n_free && status == ARMTOL_OK; j++) {
-        answer->tolerances[rows->free_columns[j]] = rows->tolerances[j];
-    }
-    return fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_METHOD, 0);
+    return question->method == ARMTOL_METHOD_SPHERE ? find_sphere(answer, question, rows)
+                                                    : optimise(answer, question, rows);
 }
 
 armtol_fault answer_find_tolerances(armtol_answer *answer, const armtol_question *question)

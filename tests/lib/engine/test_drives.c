@@ -276,6 +276,129 @@ static void test_ranges_and_loads_that_are_none(void)
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_DRIVES, 0);
 }
 
+/* ---- the optimum between bounds ---- */
+
+enum { COLUMNS = 40, ARMS = 400 };
+
+/* A question to a built-in arm, one pose, all components bounded, some tolerances in ranges about the optimum without. */
+typedef struct wish {
+    armtol_question question;
+    double q[8], accuracy[6], weights[COLUMNS], least[COLUMNS], largest[COLUMNS];
+} wish;
+
+static void draw_wish(random_source *source, int i, wish *wish)
+{
+    const armtol_arm *arm = armtol_arm_at((size_t)i % armtol_arm_count());
+    *wish = (struct wish){.question = {.arm = arm, .q = wish->q, .n_poses = 1, .accuracy = wish->accuracy, .sigma = 3}};
+    wish->question.method = i % 2 ? ARMTOL_METHOD_RSS : ARMTOL_METHOD_WORST;
+    wish->question.weights = wish->weights;
+    for (int j = 0; j < 8; j++) {
+        wish->q[j] = random_between(source, -1.5, 1.5);
+    }
+    for (int c = 0; c < 6; c++) {
+        wish->accuracy[c] = random_between(source, 0.5, 2) * (c < 3 ? 1 : 0.003);
+    }
+    for (int k = 0; k < COLUMNS; k++) {
+        wish->weights[k] = random_between(source, 0.2, 3);
+    }
+}
+
+static void draw_ranges(random_source *source, wish *wish, size_t n)
+{
+    armtol_answer *answer = answer_of(&wish->question);
+    for (size_t k = 0; k < n; k++) {
+        const double without = answer->tolerances[k], choice = random_between(source, 0, 1);
+        wish->largest[k] = choice < 0.4 ? without * random_between(source, 0.7, 2) : (double)INFINITY;
+        wish->least[k] = choice > 0.25 && choice < 0.7 && isfinite(without) ? without * random_between(source, 0.2, 1.3) : 0;
+        wish->least[k] = fmin(wish->least[k], wish->largest[k]);
+    }
+    armtol_answer_destroy(answer);
+    wish->question.least = wish->least;
+    wish->question.largest = wish->largest;
+}
+
+/* Whether the column is held at its least: it takes its part of the limits as if it were given. */
+static bool is_held_low(const armtol_answer *answer, size_t k)
+{
+    return answer->given[k] || answer->held[k] < 0;
+}
+
+/* What of row i a column's tolerance uses: of the limit, or of its square. */
+static double use_of(const armtol_answer *answer, size_t i, size_t k)
+{
+    const double part = fabs(answer->matrices[i * answer->n_columns + k]) * answer->bounded[k];
+    return answer->method == ARMTOL_METHOD_RSS ? part * part : part;
+}
+
+static double limit_of(const armtol_answer *answer, size_t i)
+{
+    const bool rss = answer->method == ARMTOL_METHOD_RSS;
+    const double limit = rss ? answer->accuracy[i] * sqrt(3) / answer->sigma : answer->accuracy[i];
+    return rss ? limit * limit : limit;
+}
+
+static void check_conditions(const wish *wish, const armtol_answer *answer)
+{
+    double left[6], whole = 0;
+    for (size_t i = 0; i < 6; i++) {
+        double used = 0;
+        left[i] = limit_of(answer, i);
+        for (size_t k = 0; k < answer->n_columns; k++) {
+            used += use_of(answer, i, k);
+            left[i] -= is_held_low(answer, k) ? use_of(answer, i, k) : 0;
+        }
+        TEST_ASSERT_TRUE(used <= limit_of(answer, i) * (1 + 1e-10));
+        TEST_ASSERT_TRUE(answer->components[i].binds < 1e-9 || used >= limit_of(answer, i) * (1 - 1e-10));
+    }
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        whole += is_held_low(answer, k) || isinf(answer->tolerances[k]) ? 0 : wish->weights[k];
+    }
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        const double t = answer->tolerances[k];
+        double sum = answer->held[k];
+        TEST_ASSERT_TRUE(t >= wish->least[k] && t <= wish->largest[k] * (1 + 1e-10));
+        for (size_t i = 0; i < 6; i++) {
+            sum += answer->components[i].binds > 0 ? answer->components[i].binds * use_of(answer, i, k) / left[i] : 0;
+        }
+        if (!answer->given[k] && isfinite(t)) {
+            check_within(1e-10, wish->weights[k] / whole, sum, "%s, column %zu", wish->question.arm->name, k);
+        }
+        if (answer->held[k] < 0) {
+            check_same(wish->least[k], t, "held by its least");
+        }
+        if (answer->held[k] > 1e-9) {
+            check_within(1e-10 * t, wish->largest[k], t, "held by its largest");
+        }
+    }
+}
+
+static void test_an_optimum_between_bounds_fulfils_the_conditions(void)
+{
+    random_source source = {3};
+    int solved = 0, low = 0, high = 0;
+    for (int i = 0; i < ARMS; i++) {
+        wish wish;
+        armtol_answer *answer;
+        armtol_fault fault;
+        draw_wish(&source, i, &wish);
+        const size_t n = armtol_column_count(wish.question.arm->links, wish.question.arm->n_links);
+        TEST_ASSERT_TRUE(n <= COLUMNS);
+        draw_ranges(&source, &wish, n);
+        const armtol_status status = armtol_answer_create(&wish.question, &answer, &fault);
+        TEST_ASSERT_TRUE(status == ARMTOL_OK || status == ARMTOL_NOTHING_LEFT);
+        if (status == ARMTOL_OK) {
+            check_conditions(&wish, answer);
+            for (size_t k = 0; k < n; k++) {
+                low += answer->held[k] < 0;
+                high += answer->held[k] > 0;
+            }
+            armtol_answer_destroy(answer);
+            solved++;
+        }
+    }
+    TEST_ASSERT_TRUE(solved > ARMS / 2 && low > ARMS && high > ARMS);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -290,5 +413,6 @@ int main(void)
     RUN_TEST(test_nothing_is_left);
     RUN_TEST(test_all_is_given);
     RUN_TEST(test_ranges_and_loads_that_are_none);
+    RUN_TEST(test_an_optimum_between_bounds_fulfils_the_conditions);
     return UNITY_END();
 }
