@@ -137,6 +137,27 @@ static void test_drives(void)
     arm_model_free(&model);
 }
 
+/* Every column of drives and masses; and two of them in other words. */
+static void test_drives_and_masses(void)
+{
+    arm_model model;
+    read_table("units: mm deg\njoint,a,alpha,d,theta,backlash,stiffness,bits,friction,mass,com_x,com_y,com_z\n"
+               "theta,1,0,0,0,0.5,2,13,7,3,-1,2,-3\nfixed,1,0,0,0,,,,,4\n",
+               &model);
+    const armtol_drive *drive = &model.arm.drives[0];
+    check_same(DEG_0_5, drive->backlash, "backlash");
+    check_within(1e-17, DEG_0_5, drive->compliance, "half a degree a N m");
+    check_within(1e-18, DEG_90 / 2048, drive->resolution, "2^13 steps a turn");
+    check_same(7, drive->friction, "friction");
+    const armtol_mass *masses = model.arm.masses;
+    TEST_ASSERT_TRUE(masses[0].mass == 3 && masses[1].mass == 4 && masses[1].center[0] == 0);
+    TEST_ASSERT_TRUE(masses[0].center[0] == -1 && masses[0].center[1] == 2 && masses[0].center[2] == -3);
+    arm_model_free(&model);
+    read_table(full_table, &model);
+    TEST_ASSERT_NULL(model.arm.masses);
+    arm_model_free(&model);
+}
+
 static void test_what_is_left_out(void)
 {
     static const armtol_link links[] = {
@@ -268,11 +289,12 @@ static void test_the_tables_of_the_documentation(void)
 #define FULL UNITS "kind,joint,a,alpha,d,theta,beta,low,high,backlash,compliance,moment\n"
 #define EXPECTED_UNITS "expected a unit of length, mm or m, and one of angles, deg or rad"
 #define EXPECTED_COLUMNS \
-    "expected kind, joint, a, alpha, d, theta, beta, low, high, backlash, compliance or moment"
+    "expected kind, joint, a, alpha, d, theta, beta, low, high, backlash, compliance or stiffness, moment, " \
+    "resolution or bits, friction, mass, com_x, com_y or com_z"
 #define NEITHER " is neither a key (name, title, source, units) nor a column (kind, joint, a, alpha, d, theta, ...)"
 #define NO_TABLE \
     "the file ends before a table of links; expected a row of names: joint, a, alpha, d, theta and, as needed, " \
-    "kind, beta, low, high, backlash, compliance, moment"
+    "kind, beta, low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z"
 #define SAVE_AS "save the table as UTF-8 (in a spreadsheet: CSV, UTF-8)"
 
 static void test_wrong_keys(void)
@@ -379,6 +401,14 @@ static void check_full(const char *expected, const char *row)
     check_refused(expected, text);
 }
 
+/* Columns behind those that a row needs. */
+static void check_drive(const char *expected, const char *columns, const char *cells)
+{
+    char text[256];
+    snprintf(text, sizeof text, UNITS "joint,a,alpha,d,theta,%s\ntheta,0,90,0,0,%s\n", columns, cells);
+    check_refused(expected, text);
+}
+
 static void test_rows_that_contradict_themselves(void)
 {
     check_full("3:1: a link whose joint is theta cannot be npp; expected npr or ppr", "npp,theta,0,90,0,0\n");
@@ -389,7 +419,14 @@ static void test_rows_that_contradict_themselves(void)
     check_full("3:28: backlash: \"-1\" is negative", "npr,theta,0,90,0,0,0,10,10,-1\n");
     check_full("3:24: compliance: \"-0.1\" is negative", "npr,theta,0,90,0,0,,,,,-0.1,1\n");
     check_full("3:26: moment: \"-2\" is negative", "npr,theta,0,90,0,0,,,,,1,-2\n");
-    check_full("3:24: compliance without moment; only their product counts", "npr,theta,0,90,0,0,,,,,1\n");
+    check_drive("3:16: bits: \"17.5\" is no whole number from 1 to 64", "bits", "17.5");
+    check_drive("3:16: bits: \"0\" is no whole number from 1 to 64", "bits", "0");
+    check_drive("3:16: stiffness: \"0\" is not greater than zero", "stiffness", "0");
+    check_drive("3:16: mass: \"-1\" is negative", "mass", "-1");
+    check_drive("3:16: com_y without mass", "com_y", "-1");
+    check_drive("3:18: stiffness beside compliance; expected one of the two", "compliance,stiffness", "1,1");
+    check_drive("3:18: bits beside resolution; expected one of the two", "resolution,bits", "1,1");
+    check_refused("3:11: bits are those of a turn; expected resolution", UNITS "joint,a,alpha,d,theta,bits\nd,0,0,0,0,17\n");
     check_full("3:26: moment without compliance; only their product counts", "npr,theta,0,90,0,0,,,,,-,1\n");
     check_full("3:21: a fixed link has no low; expected - or an empty cell", "npr,fixed,0,90,0,0,,0,1\n");
     check_full("3:21: low: \"inf\" is not a finite number", "npr,theta,0,90,0,0,,inf,\n");
@@ -593,6 +630,8 @@ static armtol_drive draw_drive(random_source *random)
         drive.compliance = fabs(draw_number(random));
         drive.moment = fabs(draw_number(random));
     }
+    drive.resolution = draw_yes(random) ? fabs(draw_number(random)) : 0;
+    drive.friction = draw_yes(random) ? fabs(draw_number(random)) : 0;
     return drive;
 }
 
@@ -606,10 +645,13 @@ static void check_drawn_arm(random_source *random, int number)
     enum { TEXTS = sizeof texts / sizeof texts[0] };
     armtol_link links[MOST_DRAWN];
     armtol_drive drives[MOST_DRAWN];
+    armtol_mass masses[MOST_DRAWN];
+    const bool weighs = draw_yes(random);
     const size_t n = 1 + (size_t)random_between(random, 0, MOST_DRAWN);
     for (size_t i = 0; i < n; i++) {
         links[i] = draw_link(random);
         drives[i] = links[i].joint == ARMTOL_FIXED ? armtol_drive_unknown : draw_drive(random);
+        masses[i] = (armtol_mass){fabs(draw_number(random)), {draw_number(random), draw_number(random), 0}};
     }
     const armtol_arm arm = {
         .name = texts[(size_t)random_between(random, 0, TEXTS)],
@@ -617,6 +659,7 @@ static void check_drawn_arm(random_source *random, int number)
         .source = texts[(size_t)random_between(random, 0, TEXTS)],
         .unit = draw_yes(random) ? ARMTOL_MILLIMETRE : ARMTOL_METRE,
         .n_links = n, .links = links, .drives = drives,
+        .masses = weighs ? masses : NULL,
     };
     char what[40];
     snprintf(what, sizeof what, "arm %d", number);
@@ -704,6 +747,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_a_table_that_says_all);
     RUN_TEST(test_drives);
+    RUN_TEST(test_drives_and_masses);
     RUN_TEST(test_what_is_left_out);
     RUN_TEST(test_an_arm_without_a_name_has_its_files);
     RUN_TEST(test_what_people_type);

@@ -143,7 +143,7 @@ static void test_a_drive_is_good_enough_up_to_the_motor_s_tolerance(void)
         process process;
         file_write(string_of("%s/t.csv", folder.text).text, table.text);
         run_well(&process, folder.text,
-                 (const char *const[]){"one.arm", "--joints", "0", "--tolerances", "t.csv", NULL});
+                 (const char *const[]){"one.arm", "--joints", "0", "--tolerances", "t.csv", "--wish", "motors", NULL});
         check_says(&process, "its drive  good enough\n");
         check_says(&process, string_of("%s   rad       0.25  %11s\n", cases[i].theta, cases[i].verdict).text);
     }

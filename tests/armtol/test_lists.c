@@ -125,9 +125,9 @@ static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_PPR, 
 enum { COLUMNS = 8 }; /* 0: theta d a alpha, 1: theta a alpha beta */
 static armtol_column columns[COLUMNS];
 
-static bool read_parameters(const char *bytes, size_t length, bool all, bool infinite, double values[], said *said)
+static bool read_parameters(const char *bytes, size_t length, bool zero, bool infinite, double values[], said *said)
 {
-    const parameter_table table = {links, columns, COLUMNS, "tolerance", all, "mm", "rad"};
+    const parameter_table table = {links, columns, COLUMNS, "tolerance", zero, "mm", "rad"};
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_columns(links, 2, columns, COLUMNS));
     FILE *stream = stream_of(bytes, length);
     said_begin();
@@ -137,11 +137,11 @@ static bool read_parameters(const char *bytes, size_t length, bool all, bool inf
     return fine;
 }
 
-static void check_parameters(const double expected[COLUMNS], const char *text, bool all, bool infinite)
+static void check_parameters(const double expected[COLUMNS], const char *text, bool zero, bool infinite)
 {
     double values[COLUMNS] = {-1, -1, -1, -1, -1, -1, -1, -1};
     said said;
-    const bool fine = read_parameters(text, strlen(text), all, infinite, values, &said);
+    const bool fine = read_parameters(text, strlen(text), zero, infinite, values, &said);
     TEST_ASSERT_EQUAL_STRING_MESSAGE("", said.text, text);
     TEST_ASSERT_TRUE_MESSAGE(fine, text);
     for (size_t k = 0; k < COLUMNS; k++) {
@@ -168,7 +168,7 @@ static void check_parameters_refused(const char *expected, const char *text)
     double values[COLUMNS];
     said said;
     char line[1100];
-    const bool fine = read_parameters(text, strlen(text), true, false, values, &said);
+    const bool fine = read_parameters(text, strlen(text), false, false, values, &said);
     snprintf(line, sizeof line, "armtol: given.csv:%s\n", expected);
     TEST_ASSERT_EQUAL_STRING_MESSAGE(line, said.text, text);
     TEST_ASSERT_FALSE_MESSAGE(fine, text);
@@ -200,7 +200,6 @@ static void test_wrong_rows_of_parameters(void)
     check_parameters_refused("2:9: unit \"deg\"; expected rad, as on the command line",
                              "link,parameter,unit,tolerance\n0,alpha,deg,1\n");
     check_parameters_refused("4:1: d of link 0 a second time; the first is in line 2", HEAD "0,d,1\n\n0,d,1\n");
-    check_parameters_refused("2:5: tolerance: \"0\" is not greater than zero", HEAD "0,d,0\n");
     check_parameters_refused("2:5: tolerance: \"-2\" is not greater than zero", HEAD "0,d,-2\n");
     check_parameters_refused("2:5: tolerance: \"-\" is not a number", HEAD "0,d,-\n");
     check_parameters_refused("2:5: tolerance: \"inf\" is not a finite number", HEAD "0,d,inf\n");
@@ -209,12 +208,12 @@ static void test_wrong_rows_of_parameters(void)
     check_parameters_refused("2:3: no value for \"parameter\"", HEAD "0,,1\n");
 }
 
-static void test_missing_parameters_are_named(void)
+/* The reader has -1 in the places of all before it reads. */
+static void test_what_has_no_row_stays_and_zero_is_exact(void)
 {
-    check_parameters_refused(" no tolerance for d of link 0, alpha of link 0, theta of link 1, a of link 1, "
-                             "alpha of link 1 and 1 more", HEAD "0,theta,1\n0,a,1\n");
-    check_parameters_refused(" no tolerance for beta of link 1",
-                             HEAD "0,theta,1\n0,d,1\n0,a,1\n0,alpha,1\n1,theta,1\n1,a,1\n1,alpha,1\n");
+    const double exact[COLUMNS] = {1, -1, 0, -1, -1, -1, -1, -1};
+    check_parameters(exact, HEAD "0,theta,1\n0,a,0\n", true, false);
+    check_parameters_refused("2:5: tolerance: \"0\" is not greater than zero", HEAD "0,d,0\n");
 }
 
 /* ---- anything at all ---- */
@@ -264,7 +263,7 @@ int main(void)
     RUN_TEST(test_parameters);
     RUN_TEST(test_wrong_heads_of_parameters);
     RUN_TEST(test_wrong_rows_of_parameters);
-    RUN_TEST(test_missing_parameters_are_named);
+    RUN_TEST(test_what_has_no_row_stays_and_zero_is_exact);
     RUN_TEST(test_anything_at_all);
     return UNITY_END();
 }

@@ -391,7 +391,7 @@ static void test_the_rest_of_the_file_is_passed_over(void)
     read_text("\xef\xbb\xbf<?xml version='1.0' encoding='utf-8'?>\n<!-- c -->\n"
               "<robot name='r' xmlns:xacro='http://www.ros.org/wiki/xacro' version='1.0'>"
               "<material name='grey'><color rgba='0 0 0 1'/></material>"
-              "<link name='a'><inertial><origin xyz='x'/></inertial><joint name='j' type='none'/></link>"
+              "<link name='a'><visual><origin xyz='x'/></visual><joint name='j' type='none'/></link>"
               "<link name='b'><collision><geometry><box size=''/></geometry></collision></link>"
               "<transmission name='t'><joint name='j'><link name='a'/></joint></transmission>"
               "<gazebo reference='a'><link name='a'/><robot/><joint/></gazebo>"

@@ -121,10 +121,10 @@ static void write_components(json *json, const findings *findings)
         json_text(json, "name", armtol_component_name(i));
         json_number(json, "accuracy", accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
         json_number(json, "worst_case", findings_shown(findings, i, component->worst));
-        json_number(json, "load", findings_shown(findings, i, component->shift));
         json_number(json, "standard_deviation", findings_shown(findings, i, component->deviation));
         json_number(json, "remainder", findings_shown(findings, i, component->remainder));
         json_number(json, "binds", component->binds);
+        json_number(json, "load", findings_shown(findings, i, component->shift));
         json_close_object(json);
     }
     json_close_array(json);
