@@ -211,7 +211,7 @@ static void test_what_cannot_be_written_is_a_failure(void)
 /* ---- wrong calls ---- */
 
 typedef struct wrong_call {
-    const char *arguments[10];
+    const char *arguments[12];
     const char *message;
 } wrong_call;
 
@@ -264,6 +264,52 @@ static const wrong_call wrong_calls[] = {
     {{"puma560", "--poses", "no.txt", "--accuracy", WISH, NULL}, "armtol: --poses: no.txt: No such file or directory"},
     {{"puma560", "--joints", POSE, "--degrees", "--tolerances", "no.csv", NULL},
      "armtol: --tolerances: no.csv: No such file or directory"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors", NULL},
+     "armtol: --given: \"motors\" is no NAME=NUMBER, NAME=LEAST..LARGEST, NAME>=LEAST or NAME<=LARGEST"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors<2", NULL},
+     "armtol: --given: \"motors\" is no NAME=NUMBER, NAME=LEAST..LARGEST, NAME>=LEAST or NAME<=LARGEST"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors=-2", NULL},
+     "armtol: --given: \"-2\" is negative"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors=2..1", NULL},
+     "armtol: --given: \"2..1\": the least is above the largest"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors>=x", NULL},
+     "armtol: --given: \"x\" is not a number"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "knees=1", NULL},
+     "armtol: --given: unknown name \"knees\"; expected theta, d, a,"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors=.1", "--tolerances", "d=0", NULL},
+     "armtol: --given is for tolerances that are asked for"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors=1", NULL},
+     "armtol: no tolerances: what is given uses"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--method", "sphere", "--given", "a<=1", NULL},
+     "armtol: no tolerances: a tolerance's range is none, or none that this method keeps to"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--drives", "torque=1", NULL},
+     "armtol: --drives: unknown name \"torque\"; expected backlash, compliance, moment,"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--drives", "bits=1.5", NULL},
+     "armtol: --drives: bits: \"1.5\" is no whole number from 1 to 64"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--drives", "stiffness=0", NULL},
+     "armtol: --drives: stiffness: \"0\" is not greater than zero"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--drives", "9.backlash=0", NULL},
+     "armtol: --drives: puma560 has no joint with \"9.backlash\""},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--drives", "backlash=-1", NULL},
+     "armtol: --drives: \"-1\" is negative"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--drives", "compliance=1", NULL},
+     "armtol: the drive of link 0: nothing says what loads its compliance; expected masses"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--drives", "backlash=1", NULL},
+     "armtol: no tolerances: the drives alone use"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--payload", "1,2", NULL},
+     "armtol: --payload: 2 numbers are given; expected 4: kg,x,y,z"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--payload", "-1", NULL},
+     "armtol: --payload: \"-1\": a mass is not negative"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--gravity", "1", NULL},
+     "armtol: --gravity: 1 number is given; expected 3: x,y,z"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--force", "1,2,z", NULL},
+     "armtol: --force: \"z\" is not a number"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--compensated", "1.1", NULL},
+     "armtol: --compensated: \"1.1\" is not from 0 to 1"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--wish", "links", NULL},
+     "armtol: --wish: unknown wish \"links\"; expected tolerances or motors"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--tolerances", "d>=1", NULL},
+     "armtol: --tolerances: \"d\" is no NAME=NUMBER"},
     {{"puma560", "--frobnicate", NULL}, "armtol: unknown option \"--frobnicate\"; expected options as in --help"},
     {{"puma560", "--joints", NULL}, "armtol: an argument is missing after \"--joints\"; expected options as in --help"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--method", "sphere", NULL}, NULL},
@@ -286,6 +332,27 @@ static void test_wrong_calls_are_named_and_answered_with_2(void)
     }
 }
 
+/* From the table to the message: 5 degrees of play and 10 of compliance are 15 degrees on 300 and 600 mm. */
+static void test_drives_that_are_too_much_are_told_with_their_share(void)
+{
+    const string folder = folder_new();
+    process process;
+    file_write(string_of("%s/play.csv", folder.text).text,
+               "units: mm deg\n"
+               "joint, a, alpha, d, theta, backlash, compliance, moment\n"
+               "theta, 300, 0, 0, 0, 5, 1, 10\n"
+               "theta, 300, 0, 0, 0, 5, 1, 10\n");
+    run(&process, folder.text,
+        (const char *const[]){"play.csv", "--joints", "0,0", "--accuracy", ".1,.1,.1,1,1,1", NULL});
+    process_check_status(&process, 2, "drives");
+    const double percent = 100 * 15 * 3.14159265358979323846 / 180 * 300 / .1;
+    TEST_ASSERT_EQUAL_STRING(string_of("armtol: no tolerances: the drives alone use %.4g %% of dy in pose 1: motor of link 0 "
+                                       "%.3g %%, motor of link 1 %.3g %%\n",
+                                       3 * percent, 2 * percent, percent)
+                                 .text,
+                             process.errors.bytes);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -295,6 +362,7 @@ int main(void)
     RUN_TEST(test_the_arm_may_stand_anywhere_among_the_options);
     RUN_TEST(test_tolerances_read_back_give_the_accuracy_that_they_were_made_for);
     RUN_TEST(test_a_drive_is_good_enough_up_to_the_motor_s_tolerance);
+    RUN_TEST(test_drives_that_are_too_much_are_told_with_their_share);
     RUN_TEST(test_a_free_component_is_free);
     RUN_TEST(test_the_budget_adds_up);
     RUN_TEST(test_a_verification_depends_on_its_seed_and_not_on_the_threads);

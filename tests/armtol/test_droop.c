@@ -1,6 +1,6 @@
 /*
  * A Panda that holds 5 kg, from its URDF, its joints of 1e-5 rad a N m: how far it droops, against Pinocchio 4.1.0 (pip
- * install pin, Python 3.13). The numbers are those that tests/armtol/pinocchio_droop prints for
+ * install pin, Python 3.11.7). The numbers are those that tests/armtol/pinocchio_droop prints for
  *     panda.urdf panda_hand 1e-5 5 0.1 -0.7 0.2 -2.1 0.3 1.6 0.8
  */
 

@@ -28,15 +28,13 @@ static long link_of(const char **name)
 /* Cuts the word at its sign. */
 static named_item item_of(const char *option, char word[WORD])
 {
-    named_item item = {.option = option, .whole = word, .name = word, .value = ""};
+    named_item item = {.option = option, .whole = word, .name = word};
     const size_t length = strcspn(word, "=<>");
     char *sign = word + length;
-    if (*sign != '\0') {
-        const size_t n = *sign != '=' && sign[1] == '=' ? 2 : 1;
-        memcpy(item.sign, sign, n);
-        item.value = sign + n;
-        *sign = '\0';
-    }
+    const size_t n = *sign == '=' ? 1 : *sign != '\0' && sign[1] == '=' ? 2 : 0;
+    memcpy(item.sign, sign, n);
+    item.value = sign + n;
+    *sign = '\0';
     item.link = link_of(&item.name);
     return item;
 }

@@ -114,8 +114,8 @@ static void test_memory_that_an_answer_is_refused(void)
     wish.accuracy = accuracy;
     wish.tolerances = NULL;
     for (memory_lack lack = 0; lack < LACKS; lack++) {
-        TEST_ASSERT_EQUAL_INT(7, count_failures_of_answers(&one.question, lack));
-        TEST_ASSERT_EQUAL_INT(11, count_failures_of_answers(&wish, lack));
+        TEST_ASSERT_EQUAL_INT(14, count_failures_of_answers(&one.question, lack));
+        TEST_ASSERT_EQUAL_INT(24, count_failures_of_answers(&wish, lack));
     }
 }
 
