@@ -7,6 +7,7 @@
 #include "armtol/ask/watched.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tell/arm_list.h"
+#include "armtol/tell/laying.h"
 #include "armtol/tell/output.h"
 #include "console/exit_code.h"
 #include "console/message.h"
@@ -105,6 +106,7 @@ static int show(const arm_model *model, const cli_options *options)
     const angle_unit unit = options->angle == UNITS_OF_ARM  ? model->angle_unit
                             : options->angle == UNITS_SMALL ? UNIT_DEGREE
                                                             : UNIT_RADIAN;
+    laying_print(&model->laying, &(units){model->arm.unit, model->arm.unit, unit}, "# ");
     arm_file_write(&model->arm, unit, stdout);
     return EXIT_OK;
 }

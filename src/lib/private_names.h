@@ -35,6 +35,11 @@
 #define arm_scara armtol_private_arm_scara
 #define arm_stanford armtol_private_arm_stanford
 #define arm_ur5e armtol_private_arm_ur5e
+#define axis_distance_from_place armtol_private_axis_distance_from_place
+#define axis_is_crossing armtol_private_axis_is_crossing
+#define axis_kind armtol_private_axis_kind
+#define axis_line_of armtol_private_axis_line_of
+#define axis_line_seen armtol_private_axis_line_seen
 #define columns_check armtol_private_columns_check
 #define columns_of_link armtol_private_columns_of_link
 #define cosine_of armtol_private_cosine_of
@@ -44,6 +49,7 @@
 #define kernels_avx512 armtol_private_kernels_avx512
 #define kernels_of_machine armtol_private_kernels_of_machine
 #define kernels_portable armtol_private_kernels_portable
+#define given_axes_of armtol_private_given_axes_of
 #define length_of armtol_private_length_of
 #define pose_link_of armtol_private_pose_link_of
 #define question_check armtol_private_question_check

@@ -257,6 +257,57 @@ static void test_what_spreadsheets_write(void)
                    "1\t0,5\t\xe2\x80\x93" "160\t\xe2\x80\x93\t\"# a remark; with a separator\"\n");
 }
 
+/* ---- kinds ---- */
+
+static void check_kinds(const char *expected, const char *rows)
+{
+    char text[400], kinds[100] = "";
+    arm_model model;
+    snprintf(text, sizeof text, "units: mm deg\njoint a alpha d theta beta\n%s", rows);
+    read_table(text, &model);
+    for (size_t i = 0; i < model.arm.n_links; i++) {
+        strcat(strcat(kinds, i > 0 ? " " : ""), armtol_kind_name(model.arm.links[i].kind));
+    }
+    TEST_ASSERT_EQUAL_STRING_MESSAGE(expected, kinds, rows);
+    arm_model_free(&model);
+}
+
+/* By the axes of the whole table: axes.h, note 2. The last joint's d carries the tool, whatever its alpha is. */
+static void test_kinds_that_a_table_leaves_to_the_axes(void)
+{
+    check_kinds("npr npr", "theta 0 90 300 0 0\ntheta 0 0 100 0 0\n");
+    check_kinds("npr npr npr", "theta 0 90 300 0 0\ntheta 0 0 100 0 0\nfixed 0 0 20 0 0\n");
+    check_kinds("ppr npr", "theta 300 0 0 0 0\ntheta 250 0 20 0 0\n");
+    check_kinds("ppr ppr", "theta 300 0 0 0 0\ntheta 250 0 20 0 0.01\n");
+    check_kinds("ppr ppr", "theta 300 28 0 0 0\ntheta 250 0 0 0 0\n"); /* 300 apart, a reach of 550: 28.6 degrees */
+    check_kinds("npr ppr", "theta 300 -29 0 0 0\ntheta 250 0 0 0 0\n");
+    check_kinds("npp ppp", "d 0 90 0 0 0\nd 0 0 0 0 0\n");
+}
+
+static void check_note(const char *expected, const char *last)
+{
+    char text[400];
+    arm_model model;
+    said said;
+    snprintf(text, sizeof text, "units: mm deg\nkind joint a alpha d theta\nnpr theta 0 90 300 0\n%s\n", last);
+    TEST_ASSERT_TRUE(read_bytes(text, strlen(text), "arm.csv", &model, &said));
+    TEST_ASSERT_EQUAL_STRING_MESSAGE(expected, said.text, last);
+    arm_model_free(&model);
+}
+
+static void test_a_last_link_that_counts_no_length_is_noted(void)
+{
+    static const char note[] = "armtol: arm.csv:4:2: note: the last link is ppr, which counts its d, the length of the tool, "
+                               "as exact; npr, as auto makes it, does not\n";
+    check_note(note, " ppr theta 0 0 100 0");
+    check_note(note, " ppr theta 60 180 -100 0");
+    check_note("", " ppr theta 60 0 0 0");
+    check_note("", " ppr theta 60 5 100 0");
+    check_note("", " npr theta 0 0 100 0");
+    check_note("", " auto theta 0 0 100 0");
+    check_note("", " ppr fixed 0 0 100 0");
+}
+
 /* The tables of docs/arm-files.md are between ```csv and ```. */
 static void test_the_tables_of_the_documentation(void)
 {
@@ -653,6 +704,9 @@ static void check_drawn_arm(random_source *random, int number)
         drives[i] = links[i].joint == ARMTOL_FIXED ? armtol_drive_unknown : draw_drive(random);
         masses[i] = (armtol_mass){fabs(draw_number(random)), {draw_number(random), draw_number(random), 0}};
     }
+    if (links[n - 1].kind == ARMTOL_PPR) {
+        links[n - 1].kind = ARMTOL_NPR; /* of a ppr something might be said */
+    }
     const armtol_arm arm = {
         .name = texts[(size_t)random_between(random, 0, TEXTS)],
         .title = texts[(size_t)random_between(random, 0, TEXTS)],
@@ -752,6 +806,8 @@ int main(void)
     RUN_TEST(test_an_arm_without_a_name_has_its_files);
     RUN_TEST(test_what_people_type);
     RUN_TEST(test_what_spreadsheets_write);
+    RUN_TEST(test_kinds_that_a_table_leaves_to_the_axes);
+    RUN_TEST(test_a_last_link_that_counts_no_length_is_noted);
     RUN_TEST(test_the_tables_of_the_documentation);
     RUN_TEST(test_wrong_keys);
     RUN_TEST(test_wrong_head_rows);

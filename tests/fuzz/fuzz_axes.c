@@ -1,6 +1,6 @@
 /*
- * Arms from axes: whatever the axes, the links bring the tool where turning about, and sliding along, the axes does,
- * and the table keeps to the rules of axes.h.
+ * Arms from axes: whatever the axes, the links bring the tool where turning about, and sliding along, the axes does, but
+ * for what was taken for exact; the table keeps to the rules of axes.h, and as a table it has these axes again.
  */
 
 #include "fuzz/bytes.h"
@@ -22,8 +22,16 @@ typedef struct problem {
     size_t n;
     armtol_axis axes[MOST_AXES];
     armtol_transform tool;
+    double snap;
     bool wild;
 } problem;
+
+typedef struct table {
+    armtol_link links[ARMTOL_LINKS_OF_AXES(MOST_AXES)];
+    size_t n_links;
+    armtol_snapped snapped[ARMTOL_LINKS_OF_AXES(MOST_AXES)];
+    size_t n_snapped;
+} table;
 
 static void take_numbers(bytes *bytes, double scale, double numbers[3])
 {
@@ -67,6 +75,7 @@ static void take_problem(bytes *bytes, problem *problem)
         rpy[i] = bytes_angle(bytes);
     }
     problem->tool = motion_of_rpy(xyz, rpy);
+    problem->snap = bytes_below(bytes, 2) == 0 ? 0 : ARMTOL_USUAL_SNAP;
     problem->wild = bytes->wild;
 }
 
@@ -124,7 +133,7 @@ static void check_kind(const armtol_link *link)
     const bool parallel = link->kind == ARMTOL_PPR || link->kind == ARMTOL_PPP;
     const bool prismatic = link->kind == ARMTOL_NPP || link->kind == ARMTOL_PPP;
     REQUIRE(link->joint == ARMTOL_FIXED ? !prismatic : prismatic == (link->joint == ARMTOL_PRISMATIC));
-    REQUIRE(parallel || link->beta == 0);
+    REQUIRE(parallel || link->beta == 0 || link->joint == ARMTOL_FIXED);
     REQUIRE(link->kind != ARMTOL_NPP || link->a == 0);
     REQUIRE(link->a >= 0);
 }
@@ -177,10 +186,24 @@ static double size_of(const problem *problem, const armtol_link links[], size_t 
     return size;
 }
 
-static void check_kinematics(const problem *problem, const armtol_link links[], size_t n_links, uint64_t seed)
+/* By how much what was taken for exact may turn and move the tool; slides go as far as `size`. */
+static motion_difference allowed(const table *table, double size)
+{
+    motion_difference allowed = {.angle = 1e-11, .length = 1e-11 * (size + 1e-300)};
+    for (size_t i = 0; i < table->n_snapped; i++) {
+        allowed.angle += 2 * table->snapped[i].angle;
+        allowed.length += 2 * (table->snapped[i].angle * (1 + MOST_AXES) * size + table->snapped[i].distance);
+    }
+    return allowed;
+}
+
+static void check_kinematics(const problem *problem, const table *table, uint64_t seed)
 {
     random_source random = {seed};
+    const armtol_link *const links = table->links;
+    const size_t n_links = table->n_links;
     const double size = size_of(problem, links, n_links);
+    const motion_difference limit = allowed(table, size);
     for (int i = 0; i < 3; i++) {
         double q[MOST_AXES];
         armtol_link placed[ARMTOL_LINKS_OF_AXES(MOST_AXES)];
@@ -192,8 +215,31 @@ static void check_kinematics(const problem *problem, const armtol_link links[], 
         const armtol_transform expected = reached(problem, q);
         const armtol_transform actual = armtol_chain_transform(placed, n_links, &armtol_errata_none);
         const motion_difference difference = motion_compare(&expected, &actual);
-        REQUIRE(difference.angle <= 1e-11);
-        REQUIRE(difference.length <= 1e-11 * (size + 1e-300));
+        REQUIRE(difference.angle <= limit.angle);
+        REQUIRE(difference.length <= limit.length);
+    }
+}
+
+/* As many axes and the same tool; and each row has a kind that its joint can be of. */
+static void check_as_table(const problem *problem, const table *table)
+{
+    enum { MOST_ROWS = ARMTOL_LINKS_OF_AXES(MOST_AXES) };
+    armtol_axis axes[MOST_ROWS];
+    armtol_kind kinds[MOST_ROWS];
+    armtol_transform tool;
+    size_t n_axes;
+    const armtol_status status = armtol_axes_of_links(table->links, table->n_links, axes, &n_axes, &tool);
+    if (status == ARMTOL_OK) {
+        REQUIRE(n_axes == problem->n);
+        REQUIRE(armtol_kinds_of_links(table->links, table->n_links, axes, kinds) == ARMTOL_OK);
+        for (size_t i = 0; i < table->n_links; i++) {
+            armtol_link link = table->links[i];
+            link.kind = kinds[i];
+            REQUIRE(link.joint != ARMTOL_FIXED || link.kind == ARMTOL_NPR);
+            REQUIRE((link.joint == ARMTOL_PRISMATIC) == (link.kind == ARMTOL_NPP || link.kind == ARMTOL_PPP));
+        }
+    } else {
+        REQUIRE(status == ARMTOL_NOT_FINITE && problem->wild);
     }
 }
 
@@ -209,18 +255,19 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     bytes bytes = bytes_start(data, size);
     problem problem;
-    armtol_link links[ARMTOL_LINKS_OF_AXES(MOST_AXES)];
-    size_t n_links = 0;
+    table table = {.n_links = 0};
     take_problem(&bytes, &problem);
-    const armtol_status status = armtol_links_of_axes(problem.axes, problem.n, &problem.tool, links, &n_links);
+    const armtol_status status = armtol_links_of_axes(problem.axes, problem.n, &problem.tool, problem.snap, table.links,
+                                                      &table.n_links, table.snapped, &table.n_snapped);
     if (status != ARMTOL_OK) {
         check_refusal(&problem, status);
         return 0;
     }
     REQUIRE(is_finite(&problem) && has_axes(&problem) && problem.n > 0);
-    check_table(&problem, links, n_links);
+    check_table(&problem, table.links, table.n_links);
+    check_as_table(&problem, &table);
     if (!problem.wild) {
-        check_kinematics(&problem, links, n_links, bytes_hash(data, size));
+        check_kinematics(&problem, &table, bytes_hash(data, size));
     }
     return 0;
 }

@@ -1,6 +1,7 @@
 #include "armtol/ask/arm_source.h"
 
 #include "armtol/tables/arm_file.h"
+#include "armtol/tables/arm_laying.h"
 #include "armtol/tables/arm_table.h"
 #include "armtol/tables/degrees.h"
 #include "armtol/urdf/urdf.h"
@@ -55,9 +56,10 @@ static int copy_all(FILE *pipe, const char *path, FILE *copy)
     return ferror(pipe) || fflush(copy) != 0 ? cannot_copy(path) : EXIT_OK;
 }
 
-static bool read_file(FILE *stream, const cli_options *options, arm_model *model)
+static bool read_file(FILE *stream, const cli_options *options, arm_model *model, bool *is_table)
 {
-    if (first_character(stream) == '<') {
+    *is_table = first_character(stream) != '<';
+    if (!*is_table) {
         return urdf_read(stream, options->arm, options->base, options->tip, model);
     }
     if (options->base != NULL || options->tip != NULL) {
@@ -92,11 +94,21 @@ static bool check_angles(const char *path, const arm_model *model)
     return fine;
 }
 
+/* A URDF has digits that decide nothing, a table frames that its author chose, but for those that lie far off. */
+static bool lay(const cli_options *options, bool is_table, arm_model *model)
+{
+    if (is_table) {
+        return options->as_is || arm_laying_gather(model);
+    }
+    return arm_laying_snap(model, options->snap);
+}
+
 static int read_and_close(FILE *stream, const cli_options *options, arm_model *model)
 {
-    bool fine = read_file(stream, options, model);
+    bool is_table;
+    bool fine = read_file(stream, options, model, &is_table);
     fclose(stream);
-    if (fine && !check_angles(options->arm, model)) {
+    if (fine && !(check_angles(options->arm, model) && lay(options, is_table, model))) {
         arm_model_free(model);
         fine = false;
     }

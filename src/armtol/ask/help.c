@@ -22,6 +22,8 @@ void cli_help(void)
          "      --degrees, --radians    angles on the command line and in the output, and\n"
          "      --mm, --metres          lengths (default: the arm's units)\n"
          "      --base LINK, --tip LINK the chain to take from a URDF (default: root, only leaf)\n"
+         "      --snap S                axes of a URDF this nearly parallel are (default: 1e-5)\n"
+         "      --as-is                 keep a table's frames that lie far off the arm\n"
          "\n"
          "      --method worst          the largest product of tolerances that guarantees the\n"
          "                              accuracy (default)\n"

@@ -1,6 +1,7 @@
 #include "armtol/ask/options.h"
 
 #include "armtol/ask/number_list.h"
+#include "armtol/axes.h"
 #include "console/exit_code.h"
 #include "console/flags.h"
 #include "console/message.h"
@@ -41,6 +42,8 @@ enum {
     OPTION_THREADS,
     OPTION_BASE,
     OPTION_TIP,
+    OPTION_SNAP,
+    OPTION_AS_IS,
     OPTION_JSON,
     OPTION_CSV,
     OPTION_LIST,
@@ -75,6 +78,8 @@ static const struct option long_options[] = {
     {"threads", required_argument, NULL, OPTION_THREADS},
     {"base", required_argument, NULL, OPTION_BASE},
     {"tip", required_argument, NULL, OPTION_TIP},
+    {"snap", required_argument, NULL, OPTION_SNAP},
+    {"as-is", no_argument, NULL, OPTION_AS_IS},
     {"json", no_argument, NULL, OPTION_JSON},
     {"csv", no_argument, NULL, OPTION_CSV},
     {"list", no_argument, NULL, OPTION_LIST},
@@ -117,6 +122,18 @@ static bool take_frame(const char *text, armtol_frame *frame)
     const size_t i = choose("--frame", text, frame_names, ARMTOL_FRAME_COUNT);
     *frame = (armtol_frame)i;
     return i < ARMTOL_FRAME_COUNT;
+}
+
+static bool take_snap(const char *text, double *snap)
+{
+    if (!number_option_parse("--snap", text, snap)) {
+        return false;
+    }
+    const bool fine = *snap >= 0 && *snap <= ARMTOL_MOST_SNAP;
+    if (!fine) {
+        message("--snap: %s is out of range; expected 0 to %g", message_quote(text, &(quoted){""}), ARMTOL_MOST_SNAP);
+    }
+    return fine;
 }
 
 static bool take_threads(const char *text, size_t *threads)
@@ -232,6 +249,8 @@ static bool take_problem(int option, const char *argument, cli_options *options)
         return take_text(argument, &options->base);
     case OPTION_TIP:
         return take_text(argument, &options->tip);
+    case OPTION_SNAP:
+        return take_snap(argument, &options->snap);
     case OPTION_FRAME:
         return take_frame(argument, &options->frame);
     case OPTION_METHOD:
@@ -257,6 +276,8 @@ static bool take(int option, const char *argument, void *context)
         return take_units(UNITS_SMALL, "--mm and --metres", &options->length);
     case OPTION_METRES:
         return take_units(UNITS_LARGE, "--mm and --metres", &options->length);
+    case OPTION_AS_IS:
+        return options->as_is = true;
     case OPTION_BUDGET:
         return options->budget = true;
     case OPTION_VERIFY:
@@ -357,7 +378,7 @@ static const char *fault_of(const cli_options *options)
 
 int cli_options_parse(int argc, char *argv[], cli_options *options)
 {
-    *options = (cli_options){.sigma = DEFAULT_SIGMA, .seed = DEFAULT_SEED};
+    *options = (cli_options){.snap = ARMTOL_USUAL_SNAP, .sigma = DEFAULT_SIGMA, .seed = DEFAULT_SEED};
     if (!read_all(argc, argv, options)) {
         return EXIT_WRONG;
     }

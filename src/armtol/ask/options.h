@@ -20,6 +20,8 @@ typedef struct cli_options {
     cli_action action;
     const char *arm;         /* a built-in arm's name, or a file */
     const char *base, *tip;  /* of a URDF */
+    double snap;             /* armtol_links_of_axes, of a URDF */
+    bool as_is;              /* a table's frames stay where they are */
     const char *joints;
     const char *poses;
     const char *accuracy;

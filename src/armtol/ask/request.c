@@ -317,6 +317,7 @@ int request_make(request *request, const cli_options *options, const arm_model *
     *request = (struct request){
         .options = options,
         .units = units_of(options, model),
+        .laying = &model->laying,
         .arm = model->arm,
         .question = {.arm = &request->arm, .method = options->method, .sigma = options->sigma},
     };

@@ -10,6 +10,7 @@
 typedef struct request {
     const cli_options *options;
     units units;
+    const arm_laying *laying; /* how the arm's frames were laid */
     armtol_question question;
     double accuracy[6];               /* the question's, as are these: */
     double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */

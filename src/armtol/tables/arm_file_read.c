@@ -1,5 +1,6 @@
 #include "armtol/tables/arm_file.h"
 
+#include "armtol/axes.h"
 #include "armtol/tables/arm_head.h"
 #include "armtol/tables/arm_row.h"
 #include "armtol/tables/arm_table.h"
@@ -8,6 +9,7 @@
 #include "console/file_message.h"
 #include "console/list_room.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -23,10 +25,12 @@ typedef struct arm_reader {
     arm_head head;
     arm_columns columns;
     size_t n_links;
-    size_t link_room, drive_room, mass_room;
+    size_t link_room, drive_room, mass_room, given_room;
     armtol_link *links;
     armtol_drive *drives;
     armtol_mass *masses;
+    bool *kinds_given;
+    file_place last_kind; /* where the last row's kind stands */
 } arm_reader;
 
 static void start(arm_reader *reader, FILE *stream, const char *path)
@@ -45,6 +49,7 @@ static void end(arm_reader *reader)
     free(reader->links);
     free(reader->drives);
     free(reader->masses);
+    free(reader->kinds_given);
 }
 
 static bool fail_at_line(const arm_reader *reader, const char *fault, const char *expected)
@@ -96,7 +101,19 @@ static bool grow(arm_reader *reader)
     }
     armtol_mass *masses = list_room(reader->masses, reader->n_links, &reader->mass_room, sizeof *masses);
     reader->masses = masses != NULL ? masses : reader->masses;
-    return masses != NULL;
+    if (masses == NULL) {
+        return false;
+    }
+    bool *given = list_room(reader->kinds_given, reader->n_links, &reader->given_room, sizeof *given);
+    reader->kinds_given = given != NULL ? given : reader->kinds_given;
+    return given != NULL;
+}
+
+static file_place place_of_kind(const arm_reader *reader)
+{
+    const size_t place = reader->columns.place[COLUMN_KIND];
+    const size_t column = place < reader->row.n ? reader->row.cells[place].column : 1;
+    return (file_place){reader->lines.path, reader->lines.number, column};
 }
 
 static bool take_row(arm_reader *reader)
@@ -112,6 +129,8 @@ static bool take_row(arm_reader *reader)
     reader->links[reader->n_links] = entry.link;
     reader->drives[reader->n_links] = entry.drive;
     reader->masses[reader->n_links] = entry.mass;
+    reader->kinds_given[reader->n_links] = entry.kind_given;
+    reader->last_kind = place_of_kind(reader);
     reader->n_links++;
     return true;
 }
@@ -137,6 +156,45 @@ static bool read_table(arm_reader *reader)
         if (!take_row(reader)) {
             return false;
         }
+    }
+}
+
+/* ---- kinds ---- */
+
+static bool fill_kinds(arm_reader *reader, armtol_axis rows[], armtol_kind kinds[])
+{
+    if (rows == NULL || kinds == NULL) {
+        out_of_memory();
+        return false;
+    }
+    /* What overflows has no kinds, and the same is said where it is to be placed. */
+    if (armtol_kinds_of_links(reader->links, reader->n_links, rows, kinds) == ARMTOL_OK) {
+        for (size_t i = 0; i < reader->n_links; i++) {
+            reader->links[i].kind = reader->kinds_given[i] ? reader->links[i].kind : kinds[i];
+        }
+    }
+    return true;
+}
+
+/* The kinds that the table leaves to the axes. */
+static bool choose_kinds(arm_reader *reader)
+{
+    armtol_axis *rows = calloc(reader->n_links, sizeof *rows);
+    armtol_kind *kinds = calloc(reader->n_links, sizeof *kinds);
+    const bool fine = fill_kinds(reader, rows, kinds);
+    free(rows);
+    free(kinds);
+    return fine;
+}
+
+/* No fault: somebody may know that the tool's length is exact. */
+static void warn_of_last_kind(const arm_reader *reader)
+{
+    const armtol_link *last = &reader->links[reader->n_links - 1];
+    const bool parallel = fabs(sin(last->alpha)) <= ARMTOL_USUAL_SNAP && last->beta == 0;
+    if (last->joint == ARMTOL_REVOLUTE && last->kind == ARMTOL_PPR && parallel && last->d != 0) {
+        file_message(&reader->last_kind, "note: the last link is ppr, which counts its d, the length of the tool, as exact; "
+                                         "npr, as auto makes it, does not");
     }
 }
 
@@ -185,7 +243,11 @@ bool arm_file_read(FILE *stream, const char *path, arm_model *model)
     arm_reader reader;
     *model = (arm_model){.arm = {.name = NULL}};
     start(&reader, stream, path);
-    const bool fine = read_head(&reader) && read_table(&reader) && make_model(&reader, model);
+    const bool fine =
+        read_head(&reader) && read_table(&reader) && choose_kinds(&reader) && make_model(&reader, model);
+    if (fine) {
+        warn_of_last_kind(&reader);
+    }
     end(&reader);
     return fine;
 }

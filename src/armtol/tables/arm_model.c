@@ -41,5 +41,6 @@ void arm_model_free(arm_model *model)
     for (size_t i = 0; i < sizeof model->memory / sizeof model->memory[0]; i++) {
         free(model->memory[i]);
     }
+    free(model->laying.snapped);
     *model = (arm_model){.arm = {.name = NULL}};
 }

@@ -2,10 +2,19 @@
 #define ARMTOL_TABLES_ARM_MODEL_H
 
 #include "armtol/arm.h"
+#include "armtol/axes.h"
 
 #include <stdbool.h>
 
 typedef enum angle_unit { UNIT_RADIAN, UNIT_DEGREE } angle_unit;
+
+/* How the frames of an arm were laid (arm_laying.h): 0 where they are as they were read. */
+typedef struct arm_laying {
+    double farthest; /* how far frames lay off the arm that were laid anew; 0 where none had to be */
+    size_t n_axes;
+    size_t n_snapped;
+    armtol_snapped *snapped; /* what was taken for exact; the model's, freed with it */
+} arm_laying;
 
 /*
  * An arm that was read, and the memory that it is made of: texts, links, drives and masses are its own. Angles are radians
@@ -14,6 +23,7 @@ typedef enum angle_unit { UNIT_RADIAN, UNIT_DEGREE } angle_unit;
 typedef struct arm_model {
     armtol_arm arm;
     angle_unit angle_unit;
+    arm_laying laying;
     void *memory[6]; /* name, title, source, links, drives, masses; freed by arm_model_free */
 } arm_model;
 

@@ -3,8 +3,6 @@
 #include "armtol/tables/degrees.h"
 #include "console/message.h"
 
-#include "armtol/axes.h"
-
 #include <math.h>
 #include <strings.h>
 
@@ -249,9 +247,10 @@ bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit 
         convert_angles(&row);
     }
     if (!row.kind_given) {
-        row.entry.link.kind = armtol_kind_of(row.entry.link.joint, row.entry.link.alpha);
+        row.entry.link.kind = row.entry.link.joint == ARMTOL_PRISMATIC ? ARMTOL_NPP : ARMTOL_NPR;
     }
     arm_entry_settle(&row.entry);
+    row.entry.kind_given = row.kind_given;
     *entry = row.entry;
     return check_kind(&row) && check_drive(&row) && check_mass(&row);
 }

@@ -50,6 +50,7 @@ typedef struct arm_entry {
     armtol_drive drive;
     armtol_mass mass;
     double stiffness, bits;
+    bool kind_given; /* else the link's kind is that of its joint alone */
 } arm_entry;
 
 /* The number that the column is about; not of kind and joint. */

@@ -2,6 +2,7 @@
 
 #include "armtol/armtol.h"
 #include "armtol/tell/json.h"
+#include "armtol/tell/laying.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -242,6 +243,7 @@ bool output_json(const findings *findings)
     json_start(&json, stdout);
     json_text(&json, "armtol", armtol_version());
     write_arm(&json, findings);
+    laying_write(&json, findings->request->laying, &findings->request->units);
     write_method(&json, findings);
     json_text(&json, "drives", options->wish_motors ? "apart" : "in");
     json_text(&json, "frame", options->frame == ARMTOL_TOOL_FRAME ? "tool" : "base");

@@ -1,5 +1,6 @@
 #include "armtol/tell/output.h"
 
+#include "armtol/tell/laying.h"
 #include "armtol/tell/text_tables.h"
 
 #include <math.h>
@@ -105,6 +106,7 @@ static void print_heading(const findings *findings)
     const request *request = findings->request;
     const units *units = &request->units;
     printf("%s, in %s and %s\n", request->question.arm->title, units_name(units, true), units_name(units, false));
+    laying_print(request->laying, units, "");
     print_poses(findings);
     print_method(findings);
     print_drives(findings);

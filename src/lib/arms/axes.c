@@ -2,6 +2,7 @@
 
 #include "armtol/link_transform.h"
 #include "armtol/transform.h"
+#include "lib/arms/given_axes.h"
 #include "lib/pi.h"
 #include "lib/report/finite.h"
 #include "lib/report/trigonometry.h"
@@ -9,137 +10,119 @@
 #include <math.h>
 #include <stdbool.h>
 
-static const double sine_of_a_degree = 0.017452406437283512819;
-
-/* Some hundred roundings: an angle, or a share of the arm's size, that is no larger was meant to be 0. */
-static const double rounding = 1e-13;
-
-/* What is given. Axis n_axes is the tool's z axis. */
-typedef struct given {
-    const armtol_axis *axes;
-    size_t n_axes;
-    const armtol_transform *tool;
-    double tiny; /* a length that is no larger is rounding */
-} given;
-
-typedef struct line {
-    double point[3];
-    double direction[3]; /* of length 1 */
-} line;
-
-/* The links so far. */
+/* The links so far, and what was taken for exact. The arrays are NULL where links are only tried. */
 typedef struct chain {
+    const given_axes *given;
+    double snap;            /* an angle that is no larger was meant to be 0, */
+    double near;            /* and so was a distance of axes */
     armtol_transform frame; /* the last one, in base coordinates */
-    armtol_link *links;     /* NULL where they are only tried */
+    armtol_link *links;
     size_t n_links;
+    armtol_snapped *snapped;
+    size_t n_snapped;
     bool finite;
 } chain;
-
-static armtol_kind kind_of(armtol_joint joint, bool parallel)
-{
-    if (joint == ARMTOL_PRISMATIC) {
-        return parallel ? ARMTOL_PPP : ARMTOL_NPP;
-    }
-    return parallel && joint == ARMTOL_REVOLUTE ? ARMTOL_PPR : ARMTOL_NPR;
-}
-
-armtol_kind armtol_kind_of(armtol_joint joint, double alpha)
-{
-    return kind_of(joint, fabs(sine_of(&armtol_errata_none, alpha)) <= sine_of_a_degree);
-}
 
 /* In (-pi, pi], and a multiple of a quarter turn where it is one but for rounding. */
 static double clean_angle(double angle)
 {
     const double quarter = PI / 2, nearest = quarter * round(angle / quarter);
-    const double clean = fabs(angle - nearest) <= rounding ? nearest : angle;
+    const double clean = fabs(angle - nearest) <= AXES_ROUNDING ? nearest : angle;
     if (clean == 0) {
         return 0; /* never -0 */
     }
     return clean <= -PI ? clean + 2 * PI : clean;
 }
 
-static double clean_length(const given *given, double length)
+static double clean_length(const chain *chain, double length)
 {
-    return fabs(length) <= given->tiny ? 0 : length;
+    return fabs(length) <= chain->given->tiny ? 0 : length;
 }
 
-static double largest_of(const double values[3])
+/* ---- what counts as exact ---- */
+
+const char *armtol_relation_text(armtol_relation relation)
 {
-    return fmax(fabs(values[0]), fmax(fabs(values[1]), fabs(values[2])));
+    static const char *const texts[ARMTOL_RELATION_COUNT] = {
+        [ARMTOL_PARALLEL] = "are parallel",
+        [ARMTOL_COINCIDENT] = "coincide",
+        [ARMTOL_MEETING] = "meet",
+        [ARMTOL_SAME_FRAME] = "have one frame",
+    };
+    const size_t index = (size_t)relation;
+    return index < ARMTOL_RELATION_COUNT ? texts[index] : "?";
 }
 
-/* Divided by its largest component first, so that no square over- or underflows. */
-static void set_direction(line *line, const double direction[3])
+/* Written down where more than rounding was set to 0. */
+static void note(chain *chain, size_t axis, armtol_relation relation, double angle, double distance)
 {
-    const double largest = largest_of(direction);
-    double squares = 0;
-    for (int i = 0; i < 3; i++) {
-        line->direction[i] = direction[i] / largest;
-        squares += line->direction[i] * line->direction[i];
+    if (angle <= AXES_ROUNDING && distance <= chain->given->tiny) {
+        return;
     }
-    for (int i = 0; i < 3; i++) {
-        line->direction[i] /= sqrt(squares);
+    if (chain->snapped != NULL) {
+        chain->snapped[chain->n_snapped] = (armtol_snapped){axis, relation, angle, distance};
     }
+    chain->n_snapped++;
 }
 
-/* An axis as a line; that of a prismatic joint goes through the point of the next one that has a place. */
-static line line_of(const given *given, size_t axis)
+static bool is_parallel(const chain *chain, const axis_line *to)
 {
-    size_t placed = axis;
-    while (placed < given->n_axes && given->axes[placed].joint == ARMTOL_PRISMATIC) {
-        placed++;
-    }
-    const bool of_tool = placed == given->n_axes;
-    double tool_z[3];
-    line line;
-    for (int i = 0; i < 3; i++) {
-        line.point[i] = of_tool ? given->tool->m[i][3] : given->axes[placed].point[i];
-        tool_z[i] = given->tool->m[i][2];
-    }
-    set_direction(&line, axis == given->n_axes ? tool_z : given->axes[axis].direction);
-    return line;
+    return length_of(to->direction[0], to->direction[1]) <= chain->snap;
 }
 
-/* The line in the coordinates of a frame. */
-static line seen_from(const armtol_transform *frame, const line *in_base)
+/* A nearly parallel line made parallel to z at its place, and z itself where it is as near. */
+static void make_parallel(chain *chain, size_t axis, axis_line *to)
 {
-    line seen = {{0}, {0}};
-    for (int i = 0; i < 3; i++) {
-        for (int k = 0; k < 3; k++) {
-            seen.point[i] += frame->m[k][i] * (in_base->point[k] - frame->m[k][3]);
-            seen.direction[i] += frame->m[k][i] * in_base->direction[k];
-        }
+    const double angle = length_of(to->direction[0], to->direction[1]);
+    double distance = length_of(to->place[0], to->place[1]);
+    const bool coincide = distance <= chain->near;
+    note(chain, axis, coincide ? ARMTOL_COINCIDENT : ARMTOL_PARALLEL, angle, coincide ? distance : 0);
+    for (int i = 0; i < 2; i++) {
+        to->point[i] = coincide ? 0 : to->place[i];
+        to->direction[i] = 0;
     }
-    return seen;
+    to->direction[2] = to->direction[2] < 0 ? -1 : 1;
 }
+
+/* The distance of axes that cross, 0 where they are meant to meet. */
+static double clean_distance(chain *chain, size_t axis, double distance)
+{
+    if (distance > chain->near) {
+        return distance;
+    }
+    note(chain, axis, ARMTOL_MEETING, 0, distance);
+    return 0;
+}
+
+/* ---- one link ---- */
 
 /* From the z axis along the common perpendicular to a line that is not parallel to it. */
-static armtol_link across(const given *given, armtol_joint joint, const line *to)
+static armtol_link across(chain *chain, armtol_joint joint, size_t axis, const axis_line *to)
 {
     const double *const p = to->point, *const u = to->direction;
     const double sine = length_of(u[0], u[1]);
     const double away = (u[0] * p[1] - u[1] * p[0]) / sine; /* along the cross product of z and u */
     const double foot = -(p[0] * u[0] + p[1] * u[1]) / (sine * sine); /* on the line, counted from p */
-    const double a = clean_length(given, fabs(away));
+    const double a = clean_distance(chain, axis, fabs(away));
     const double sense = a > 0 && away < 0 ? -1 : 1;
     return (armtol_link){
-        .kind = kind_of(joint, false),
+        .kind = axis_kind(joint, false),
         .joint = joint,
         .theta = clean_angle(angle_of(&armtol_errata_none, sense * u[0], -sense * u[1])),
-        .d = clean_length(given, p[2] + foot * u[2]),
+        .d = clean_length(chain, p[2] + foot * u[2]),
         .a = a,
         .alpha = clean_angle(angle_of(&armtol_errata_none, sense * sine, u[2])),
     };
 }
 
 /* From the z axis to where a (nearly) parallel line pierces the plane z = d, then the tilt to the line. */
-static armtol_link along(const given *given, armtol_joint joint, const line *to, double d)
+static armtol_link along(chain *chain, armtol_joint joint, size_t axis, const axis_line *to)
 {
     const double *const p = to->point, *const u = to->direction;
+    const double d = joint == ARMTOL_PRISMATIC ? p[2] : 0;
     const double x = p[0] + u[0] * (d - p[2]) / u[2], y = p[1] + u[1] * (d - p[2]) / u[2];
-    armtol_link link = {.kind = kind_of(joint, true), .joint = joint, .d = clean_length(given, d)};
-    link.a = clean_length(given, length_of(x, y));
+    armtol_link link = {.kind = axis_kind(joint, true), .joint = joint, .d = clean_length(chain, d)};
+    link.a = clean_distance(chain, axis, length_of(x, y));
     link.theta = link.a > 0 ? clean_angle(angle_of(&armtol_errata_none, y, x)) : 0;
     const double c = cosine_of(&armtol_errata_none, link.theta), s = sine_of(&armtol_errata_none, link.theta);
     link.beta = clean_angle(arc_sine_of(&armtol_errata_none, c * u[0] + s * u[1]));
@@ -153,22 +136,22 @@ static bool is_tilted(const armtol_link *link)
 }
 
 /* The link from the chain's last frame to an axis. */
-static armtol_link link_to(const given *given, const chain *chain, armtol_joint joint, size_t axis)
+static armtol_link link_to(chain *chain, armtol_joint joint, size_t axis)
 {
-    const line in_base = line_of(given, axis);
-    line to = seen_from(&chain->frame, &in_base);
-    if (joint == ARMTOL_PRISMATIC) {
-        to.point[0] = to.point[1] = 0; /* the slide's line goes through it, but for rounding */
+    const axis_line in_base = axis_line_of(chain->given, axis);
+    axis_line to = axis_line_seen(&chain->frame, &in_base);
+    if (joint == ARMTOL_PRISMATIC) { /* the slide's line goes through it, but for rounding */
+        to.point[0] = to.point[1] = to.place[0] = to.place[1] = 0;
     }
-    if (length_of(to.direction[0], to.direction[1]) > sine_of_a_degree) {
-        return across(given, joint, &to);
+    if (is_parallel(chain, &to)) {
+        make_parallel(chain, axis, &to);
+    } else if (axis_is_crossing(chain->given, joint, axis, &to)) {
+        return across(chain, joint, axis, &to);
     }
-    armtol_link link = along(given, joint, &to, joint == ARMTOL_PRISMATIC ? to.point[2] : 0);
-    if (joint == ARMTOL_FIXED && is_tilted(&link)) {
-        link.kind = ARMTOL_PPR;
-    }
-    return link;
+    return along(chain, joint, axis, &to);
 }
+
+/* ---- the chain ---- */
 
 static bool is_identity(const armtol_link *link)
 {
@@ -195,50 +178,70 @@ static void append_fixed(chain *chain, const armtol_link *link)
 }
 
 /* What is left between the frame behind a link, which shares the tool's z axis, and the tool. */
-static armtol_link rest_behind(const given *given, const chain *chain, const armtol_link *link)
+static armtol_link rest_behind(const chain *chain, const armtol_link *link)
 {
     const armtol_transform own = armtol_link_transform(link, &armtol_errata_none);
     const armtol_transform behind = armtol_transform_product(&chain->frame, &own, &armtol_errata_none);
     const armtol_transform back = armtol_transform_inverse(&behind, &armtol_errata_none);
-    const armtol_transform rest = armtol_transform_product(&back, given->tool, &armtol_errata_none);
+    const armtol_transform rest = armtol_transform_product(&back, chain->given->tool, &armtol_errata_none);
     return (armtol_link){
         .kind = ARMTOL_NPR,
         .theta = clean_angle(angle_of(&armtol_errata_none, rest.m[1][0], rest.m[0][0])),
-        .d = clean_length(given, rest.m[2][3]),
+        .d = clean_length(chain, rest.m[2][3]),
     };
 }
 
-/* The last axis' link, and what it needs to end in the tool's frame. */
-static void append_tool(const given *given, chain *chain)
+/* Nothing is left where the frame behind the link is meant to be the tool's. */
+static void clean_rest(chain *chain, armtol_link *rest)
 {
+    const double angle = fabs(rest->theta), length = fabs(rest->d);
+    if (angle <= chain->snap && length <= chain->near) {
+        note(chain, chain->given->n_axes, ARMTOL_SAME_FRAME, angle, length);
+        rest->theta = rest->d = 0;
+    }
+}
+
+/* The last axis' link, and what it needs to end in the tool's frame. */
+static void append_tool(chain *chain)
+{
+    const given_axes *const given = chain->given;
     const armtol_joint joint = given->axes[given->n_axes - 1].joint;
-    armtol_link link = link_to(given, chain, joint, given->n_axes);
-    const armtol_link rest = rest_behind(given, chain, &link);
+    armtol_link link = link_to(chain, joint, given->n_axes);
+    armtol_link rest = rest_behind(chain, &link);
     if (link.a > 0 || is_tilted(&link)) {
+        clean_rest(chain, &rest);
         append(chain, &link);
         append_fixed(chain, &rest);
         return;
     }
     const double sense = link.alpha == 0 ? 1 : -1; /* behind a half turn about x all counts backwards */
-    link.kind = joint == ARMTOL_REVOLUTE ? ARMTOL_NPR : ARMTOL_PPP;
+    link.kind = axis_kind(joint, joint == ARMTOL_PRISMATIC);
     link.theta = clean_angle(sense * rest.theta);
     link.d += sense * rest.d;
     append(chain, &link);
 }
 
-static armtol_status build(const given *given, chain *chain)
+static armtol_status build(chain *chain)
 {
+    const given_axes *const given = chain->given;
     chain->frame = armtol_transform_identity();
-    chain->n_links = 0;
+    chain->n_links = chain->n_snapped = 0;
     chain->finite = true;
-    const armtol_link base = link_to(given, chain, ARMTOL_FIXED, 0);
+    const armtol_link base = link_to(chain, ARMTOL_FIXED, 0);
     append_fixed(chain, &base);
     for (size_t i = 0; i + 1 < given->n_axes; i++) {
-        const armtol_link link = link_to(given, chain, given->axes[i].joint, i + 1);
+        const armtol_link link = link_to(chain, given->axes[i].joint, i + 1);
         append(chain, &link);
     }
-    append_tool(given, chain);
+    append_tool(chain);
     return chain->finite ? ARMTOL_OK : ARMTOL_NOT_FINITE;
+}
+
+/* ---- what is given ---- */
+
+static bool has_length(const double v[3])
+{
+    return v[0] != 0 || v[1] != 0 || v[2] != 0;
 }
 
 static armtol_status check_axis(const armtol_axis *axis)
@@ -247,7 +250,7 @@ static armtol_status check_axis(const armtol_axis *axis)
         return ARMTOL_NOT_FINITE;
     }
     const bool moves = axis->joint == ARMTOL_REVOLUTE || axis->joint == ARMTOL_PRISMATIC;
-    return moves && largest_of(axis->direction) > 0 ? ARMTOL_OK : ARMTOL_BAD_AXIS;
+    return moves && has_length(axis->direction) ? ARMTOL_OK : ARMTOL_BAD_AXIS;
 }
 
 static armtol_status check(const armtol_axis axes[], size_t n_axes, const armtol_transform *tool)
@@ -262,33 +265,28 @@ static armtol_status check(const armtol_axis axes[], size_t n_axes, const armtol
     return status;
 }
 
-/* The largest coordinate of what has a place. */
-static double size_of(const armtol_axis axes[], size_t n_axes, const armtol_transform *tool)
-{
-    double size = largest_of((double[]){tool->m[0][3], tool->m[1][3], tool->m[2][3]});
-    for (size_t i = 0; i < n_axes; i++) {
-        if (axes[i].joint == ARMTOL_REVOLUTE) {
-            size = fmax(size, largest_of(axes[i].point));
-        }
-    }
-    return size;
-}
-
-armtol_status armtol_links_of_axes(const armtol_axis axes[], size_t n_axes, const armtol_transform *tool,
-                                   armtol_link links[], size_t *n_links)
+armtol_status armtol_links_of_axes(const armtol_axis axes[], size_t n_axes, const armtol_transform *tool, double snap,
+                                   armtol_link links[], size_t *n_links, armtol_snapped snapped[], size_t *n_snapped)
 {
     armtol_status status = check(axes, n_axes, tool);
     if (status != ARMTOL_OK) {
         return status;
     }
-    const given given = {axes, n_axes, tool, rounding * size_of(axes, n_axes, tool)};
+    const given_axes given = given_axes_of(axes, n_axes, tool);
+    if (!isfinite(given.base_reach)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    const double share = fmin(fmax(snap, AXES_ROUNDING), ARMTOL_MOST_SNAP);
+    const double size = given.reach > 1e-3 * given.base_reach ? given.reach : given.base_reach;
+    chain chain = {.given = &given, .snap = share, .near = fmax(share * size, given.tiny)};
     /* Once without writing, as links is to stay as it was where one of them overflows. */
-    chain chain = {.links = NULL};
-    status = build(&given, &chain);
+    status = build(&chain);
     if (status == ARMTOL_OK) {
         chain.links = links;
-        build(&given, &chain);
+        chain.snapped = snapped;
+        build(&chain);
         *n_links = chain.n_links;
+        *n_snapped = chain.n_snapped;
     }
     return status;
 }
