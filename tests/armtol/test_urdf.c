@@ -385,6 +385,30 @@ static void test_limits(void)
     check_limits(ONE_JOINT("continuous", "<limit lower='-1.5' upper='2.5'/>"), -INFINITY, INFINITY);
 }
 
+#define HEAVY(name, kg, xyz) \
+    "<link name='" name "'><inertial><origin xyz='" xyz "'/><mass value='" kg "'/></inertial></link>"
+
+/* On the base, on the arm, welded to it, on a branch whose joint stands at 0, and on another tree's root. */
+static void test_masses_are_carried_by_the_joint_before_them(void)
+{
+    arm_model model;
+    read_text("<robot name='r'>" HEAVY("a", "9", "1 1 1") HEAVY("b", "2", "0.1 0 0") HEAVY("c", "1", "0 0 0.3")
+              HEAVY("d", "1", "0 0.2 0") HEAVY("e", "7", "0 0 0")
+              "<joint name='1' type='revolute'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint>"
+              "<joint name='2' type='fixed'><origin xyz='0.4 0 0'/><parent link='b'/><child link='c'/></joint>"
+              "<joint name='3' type='continuous'><origin xyz='0.2 0 0'/><parent link='b'/><child link='d'/></joint>"
+              "<joint name='4' type='fixed'><parent link='a'/><child link='e'/></joint></robot>",
+              NULL, "c", &model);
+    TEST_ASSERT_EQUAL_UINT(1, model.arm.n_links);
+    TEST_ASSERT_NOT_NULL(model.arm.masses);
+    const armtol_mass *mass = model.arm.masses; /* in the frame of c: 0.4 along x from that of b */
+    check_within(1e-15, 4, mass->mass, "mass");
+    check_within(1e-15, (2 * 0.1 + 1 * 0.4 + 1 * 0.2) / 4 - 0.4, mass->center[0], "x");
+    check_within(1e-15, 0.2 / 4, mass->center[1], "y");
+    check_within(1e-15, 0.3 / 4, mass->center[2], "z");
+    arm_model_free(&model);
+}
+
 static void test_the_rest_of_the_file_is_passed_over(void)
 {
     arm_model model;
@@ -583,6 +607,15 @@ static void test_what_is_missing_or_no_number(void)
         {ONE_JOINT("prismatic", "\n<limit lower='1'/>"), NULL, NULL,
          ":2:1: the limits of joint \"j\" are 1 and 0; expected lower <= upper"},
         {ONE_JOINT("revolute", "<origin/>\n<origin/>"), NULL, NULL, ":2:1: a second <origin> in joint \"j\""},
+        {ROBOT("<link name='a'><inertial><mass value='1'/>\n<mass value='1'/></inertial></link>"), NULL, NULL,
+         ":2:1: a second <mass> in link \"a\""},
+        {ROBOT("<link name='a'><inertial><mass value='1'/></inertial>\n<inertial/></link>"), NULL, NULL,
+         ":2:1: a second <inertial> in link \"a\""},
+        {ROBOT("\n<link name='a'><inertial><origin xyz='1 2 3'/></inertial></link>"), NULL, NULL,
+         ":2:1: link \"a\" has an <inertial> without a <mass>"},
+        {ROBOT("<link name='a'><inertial>\n<mass value='-1'/></inertial></link>"), NULL, NULL,
+         ":2:1: the mass of link \"a\" is -1; expected 0 or more"},
+        {ROBOT("<link name='a'><inertial>\n<mass/></inertial></link>"), NULL, NULL, ":2:1: <mass> has no value"},
         {ONE_JOINT("revolute", "\n<child link='a'/>"), NULL, NULL, ":2:1: a second <child> in joint \"j\""},
         {ROBOT(TWO_LINKS "\n" JOINT("revolute", "<axis xyz='0 0 -0.0'/>")), NULL, NULL,
          ":2:1: the axis of joint \"j\" is 0 0 0; expected a direction"},
@@ -786,6 +819,7 @@ int main(void)
     RUN_TEST(test_files_drawn_at_random);
     RUN_TEST(test_the_axis_is_x_where_nothing_is_said);
     RUN_TEST(test_limits);
+    RUN_TEST(test_masses_are_carried_by_the_joint_before_them);
     RUN_TEST(test_the_rest_of_the_file_is_passed_over);
     RUN_TEST(test_base_and_tip_choose_the_chain);
     RUN_TEST(test_names_become_printable);
