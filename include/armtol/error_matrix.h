@@ -4,6 +4,7 @@
 #include "armtol/errata.h"
 #include "armtol/interface.h"
 #include "armtol/link.h"
+#include "armtol/twist_transform.h"
 
 #include <stddef.h>
 
@@ -37,6 +38,14 @@ armtol_status armtol_columns(const armtol_link links[], size_t n_links, armtol_c
  */
 armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, const armtol_errata *errata,
                                   double matrix[], size_t n_columns);
+
+/*
+ * The same with these words on the diagonals of the skew matrices, in place of those that armtol_skew_residue works
+ * out: what the programs of 1987 would have computed on a machine that leaves other words on its stack. The erratum
+ * skew-residue is not read. Errors: as of armtol_error_matrix.
+ */
+armtol_status armtol_error_matrix_with_residue(const armtol_link links[], size_t n_links, const armtol_residue *residue,
+                                               const armtol_errata *errata, double matrix[], size_t n_columns);
 
 /*
  * Move the reference point of every column of A from the base's origin to point (base coordinates), in

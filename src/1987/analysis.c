@@ -75,12 +75,13 @@ static armtol_status check_norms(const analysis *analysis)
                               &analysis->errata, &bounds);
 }
 
-armtol_status analysis_matrix(analysis *analysis)
+armtol_status analysis_matrix_with_residue(analysis *analysis, const armtol_residue *residue)
 {
     const size_t n_links = analysis->robot->n_links, n = analysis->n_columns;
     armtol_status status = armtol_columns(analysis->links, n_links, analysis->columns, n);
     if (status == ARMTOL_OK) {
-        status = armtol_error_matrix(analysis->links, n_links, &analysis->errata, analysis->matrix, n);
+        status = armtol_error_matrix_with_residue(analysis->links, n_links, residue, &analysis->errata, analysis->matrix,
+                                                  n);
     }
     if (status == ARMTOL_OK) {
         analysis->n_lengths = armtol_column_order(analysis->columns, n, analysis->order);
@@ -88,6 +89,12 @@ armtol_status analysis_matrix(analysis *analysis)
         status = check_norms(analysis);
     }
     return status;
+}
+
+armtol_status analysis_matrix(analysis *analysis)
+{
+    const armtol_residue residue = armtol_skew_residue(analysis->links, analysis->robot->n_links, &analysis->errata);
+    return analysis_matrix_with_residue(analysis, &residue);
 }
 
 static armtol_status part_tolerances(analysis *analysis)

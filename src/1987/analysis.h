@@ -47,4 +47,7 @@ armtol_status analysis_place(analysis *analysis, const double wish[]);
 armtol_status analysis_matrix(analysis *analysis);
 armtol_status analysis_tolerances(analysis *analysis, const double tolerances[6], double delta);
 
+/* In the place of analysis_matrix: with these words where 1987 took what it found on the stack. */
+armtol_status analysis_matrix_with_residue(analysis *analysis, const armtol_residue *residue);
+
 #endif

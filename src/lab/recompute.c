@@ -22,7 +22,8 @@ static size_t given(const published_list *list, size_t first, published_role rol
     return n;
 }
 
-static armtol_status run_steps(const published_list *list, size_t first, analysis *analysis)
+static armtol_status run_steps(const published_list *list, size_t first, const armtol_residue *residue,
+                               analysis *analysis)
 {
     double wish[6], tolerances[6], delta;
     const armtol_errata *errata = &analysis->errata;
@@ -33,12 +34,13 @@ static armtol_status run_steps(const published_list *list, size_t first, analysi
     }
     armtol_status status = analysis_place(analysis, wish);
     if (status == ARMTOL_OK) {
-        status = analysis_matrix(analysis);
+        status = residue != NULL ? analysis_matrix_with_residue(analysis, residue) : analysis_matrix(analysis);
     }
     return status == ARMTOL_OK ? analysis_tolerances(analysis, tolerances, delta) : status;
 }
 
-bool recompute(const published_list *list, size_t first, const armtol_errata *errata, analysis *analysis)
+bool recompute_with_residue(const published_list *list, size_t first, const armtol_errata *errata,
+                            const armtol_residue *residue, analysis *analysis)
 {
     const published_number *number = &list->numbers[first];
     const program *program = program_named(number->program);
@@ -50,7 +52,7 @@ bool recompute(const published_list *list, size_t first, const armtol_errata *er
         out_of_memory();
         return false;
     }
-    const armtol_status status = run_steps(list, first, analysis);
+    const armtol_status status = run_steps(list, first, residue, analysis);
     if (status != ARMTOL_OK) {
         message("%s, case %d: %s", number->program, number->case_number,
                 armtol_status_text(status));
@@ -59,17 +61,18 @@ bool recompute(const published_list *list, size_t first, const armtol_errata *er
     return status == ARMTOL_OK;
 }
 
-char *recompute_files(const published_list *list, size_t first, const armtol_errata *errata)
+bool recompute(const published_list *list, size_t first, const armtol_errata *errata, analysis *analysis)
 {
-    analysis analysis;
+    return recompute_with_residue(list, first, errata, NULL, analysis);
+}
+
+char *recompute_text(const analysis *analysis, const program *program)
+{
     char *text = NULL;
     size_t size = 0;
-    if (!recompute(list, first, errata, &analysis)) {
-        return NULL;
-    }
     FILE *stream = open_memstream(&text, &size);
     if (stream != NULL) {
-        const report report = {program_named(list->numbers[first].program), &analysis};
+        const report report = {program, analysis};
         report_tolerances(stream, &report);
         report_machining(stream, &report);
         if (fclose(stream) != 0) {
@@ -77,9 +80,19 @@ char *recompute_files(const published_list *list, size_t first, const armtol_err
             text = NULL;
         }
     }
-    analysis_free(&analysis);
     if (text == NULL) {
         out_of_memory();
     }
+    return text;
+}
+
+char *recompute_files(const published_list *list, size_t first, const armtol_errata *errata)
+{
+    analysis analysis;
+    if (!recompute(list, first, errata, &analysis)) {
+        return NULL;
+    }
+    char *text = recompute_text(&analysis, program_named(list->numbers[first].program));
+    analysis_free(&analysis);
     return text;
 }

@@ -67,5 +67,8 @@
 #define tally_quantile armtol_private_tally_quantile
 #define tally_start armtol_private_tally_start
 #define transform_of_rows armtol_private_transform_of_rows
+#define verification_check armtol_private_verification_check
+#define verification_limits armtol_private_verification_limits
+#define verification_report armtol_private_verification_report
 
 #endif

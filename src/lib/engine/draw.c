@@ -22,6 +22,7 @@ typedef struct work {
     const tally_limits *limits;
     uint64_t block;
     pthread_mutex_t mutex;
+    uint64_t begin, end; /* the first arm, and the one behind the last */
     uint64_t next; /* the first arm that nobody has taken; under the mutex, as `stopped` */
     bool stopped;
 } work;
@@ -59,7 +60,7 @@ static void draw_block(worker *worker, uint64_t first, uint64_t count)
 static bool take_block(work *work, uint64_t *first, uint64_t *count)
 {
     pthread_mutex_lock(&work->mutex);
-    const uint64_t left = work->stopped ? 0 : work->draw->samples - work->next;
+    const uint64_t left = work->stopped ? 0 : work->end - work->next;
     *first = work->next;
     *count = left < work->block ? left : work->block;
     work->next += *count;
@@ -91,7 +92,7 @@ static void run_first_worker(worker *worker)
     uint64_t first, count;
     while (take_block(worker->work, &first, &count)) {
         draw_block(worker, first, count);
-        if (draw->progress != NULL && !draw->progress(draw->context, first + count, draw->samples)) {
+        if (draw->progress != NULL && !draw->progress(draw->context, first + count - worker->work->begin, draw->samples)) {
             stop(worker->work);
         }
     }
@@ -205,8 +206,9 @@ static uint64_t block_of(size_t n_poses)
     return n_poses > BLOCK / LEAST_BLOCK ? LEAST_BLOCK : BLOCK / n_poses;
 }
 
-static armtol_status draw_with(const armtol_answer *answer, const armtol_draw *draw, const tally_limits *limits,
-                               armtol_sampler samplers[], armtol_sampled_link links[], tally *tally)
+static armtol_status draw_with(const armtol_answer *answer, const armtol_draw *draw, uint64_t first,
+                               const tally_limits *limits, armtol_sampler samplers[], armtol_sampled_link links[],
+                               tally *tally)
 {
     work work = {
         .draw = draw,
@@ -214,6 +216,9 @@ static armtol_status draw_with(const armtol_answer *answer, const armtol_draw *d
         .n_poses = answer->n_poses,
         .limits = limits,
         .block = block_of(answer->n_poses),
+        .begin = first,
+        .end = first + draw->samples,
+        .next = first,
     };
     armtol_status status = start_samplers(answer, draw->seed, samplers, links);
     if (status == ARMTOL_OK) {
@@ -224,12 +229,13 @@ static armtol_status draw_with(const armtol_answer *answer, const armtol_draw *d
     return status;
 }
 
-armtol_status draw_arms(const armtol_answer *answer, const armtol_draw *draw, const tally_limits *limits, tally *tally)
+armtol_status draw_arms(const armtol_answer *answer, const armtol_draw *draw, uint64_t first, const tally_limits *limits,
+                        tally *tally)
 {
     armtol_sampler *samplers = calloc(answer->n_poses, sizeof *samplers);
     armtol_sampled_link *links = calloc(answer->n_poses, answer->n_links * sizeof *links);
     const armtol_status status = samplers != NULL && links != NULL
-                                     ? draw_with(answer, draw, limits, samplers, links, tally)
+                                     ? draw_with(answer, draw, first, limits, samplers, links, tally)
                                      : ARMTOL_NO_MEMORY;
     free(samplers);
     free(links);

@@ -1,4 +1,4 @@
-#include "armtol/verification.h"
+#include "lib/engine/verification_parts.h"
 
 #include "armtol/share_interval.h"
 #include "lib/engine/check.h"
@@ -18,7 +18,7 @@ static bool is_unbounded(const armtol_answer *answer, size_t component)
     return isinf(answer->components[component].worst);
 }
 
-static armtol_fault check_bounded(const armtol_answer *answer)
+armtol_fault verification_check(const armtol_answer *answer)
 {
     size_t i = 0;
     while (i < 6 && !(is_unbounded(answer, i) && isfinite(answer->accuracy[i]))) {
@@ -33,7 +33,7 @@ static double range_of(const armtol_predicted *predicted, bool linear)
     return fmin(predicted->worst + predicted->remainder, linear ? DBL_MAX : 3.14159265358979323846);
 }
 
-static void set_limits(const armtol_answer *answer, tally_limits *limits)
+void verification_limits(const armtol_answer *answer, tally_limits *limits)
 {
     for (size_t i = 0; i < 6; i++) {
         limits->range[i] = range_of(&answer->components[i], i < 3);
@@ -60,8 +60,8 @@ static void forget_component(armtol_verified *component)
     }
 }
 
-static void report(const armtol_answer *answer, const tally *tally, const tally_limits *limits,
-                   armtol_verification *found)
+void verification_report(const armtol_answer *answer, const tally *tally, const tally_limits *limits,
+                         armtol_verification *found)
 {
     const armtol_share_interval interval = armtol_share_interval_95(tally->within, tally->drawn);
     found->drawn = tally->drawn;
@@ -89,17 +89,17 @@ static armtol_status search_and_draw(const armtol_answer *answer, const armtol_d
     if (!search_corners(answer, draw, errors, found->components)) {
         arms.samples = 0;
     }
-    set_limits(answer, &limits);
-    const armtol_status status = draw_arms(answer, &arms, &limits, tally);
+    verification_limits(answer, &limits);
+    const armtol_status status = draw_arms(answer, &arms, 0, &limits, tally);
     if (status == ARMTOL_OK) {
-        report(answer, tally, &limits, found);
+        verification_report(answer, tally, &limits, found);
     }
     return status;
 }
 
 static armtol_fault verify(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found)
 {
-    const armtol_fault unbounded = check_bounded(answer);
+    const armtol_fault unbounded = verification_check(answer);
     if (unbounded.status != ARMTOL_OK) {
         return unbounded;
     }

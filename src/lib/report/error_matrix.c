@@ -83,18 +83,17 @@ static void link_columns(const armtol_adjoint *to_base, double g[6][ARMTOL_PARAM
     }
 }
 
-static void base_twists(const armtol_link links[], size_t n_links, const armtol_errata *errata,
-                        double matrix[], size_t n_columns)
+static void base_twists(const armtol_link links[], size_t n_links, const armtol_residue *residue,
+                        const armtol_errata *errata, double matrix[], size_t n_columns)
 {
-    const armtol_residue residue = armtol_skew_residue(links, n_links, errata);
-    armtol_adjoint to_base = adjoint_of(&links[0], &residue, errata);
+    armtol_adjoint to_base = adjoint_of(&links[0], residue, errata);
     size_t column = 0;
     for (size_t i = 0; i < n_links; i++) {
         /* zeros, as g4 of the main program was on a fresh stack: erratum gppp-clearing leaves some of them */
         double g[6][ARMTOL_PARAMETER_COUNT] = {{0}};
         size_t count = 0;
         if (i > 0) {
-            const armtol_adjoint step = adjoint_of(&links[i], &residue, errata);
+            const armtol_adjoint step = adjoint_of(&links[i], residue, errata);
             to_base = adjoint_product(&to_base, &step, errata);
         }
         armtol_link_jacobian(&links[i], errata, g, &count);
@@ -116,14 +115,14 @@ void armtol_refer_to_point(double matrix[], size_t n_columns, const double point
     }
 }
 
-armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, const armtol_errata *errata,
-                                  double matrix[], size_t n_columns)
+armtol_status armtol_error_matrix_with_residue(const armtol_link links[], size_t n_links, const armtol_residue *residue,
+                                               const armtol_errata *errata, double matrix[], size_t n_columns)
 {
     const armtol_status status = columns_check(links, n_links, n_columns);
     if (status != ARMTOL_OK) {
         return status;
     }
-    base_twists(links, n_links, errata, matrix, n_columns);
+    base_twists(links, n_links, residue, errata, matrix, n_columns);
     /* Erratum `base-twist`: the twist stays referred to the base's origin. */
     if (!errata->base_twist) {
         const armtol_transform tool = armtol_chain_transform(links, n_links, errata);
@@ -131,4 +130,11 @@ armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, con
         armtol_refer_to_point(matrix, n_columns, point, errata);
     }
     return all_finite(matrix, 6 * n_columns) ? ARMTOL_OK : ARMTOL_NOT_FINITE;
+}
+
+armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, const armtol_errata *errata,
+                                  double matrix[], size_t n_columns)
+{
+    const armtol_residue residue = armtol_skew_residue(links, n_links, errata);
+    return armtol_error_matrix_with_residue(links, n_links, &residue, errata, matrix, n_columns);
 }
