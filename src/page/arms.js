@@ -16,9 +16,9 @@ function numbersOf(text) {
 }
 
 /** Views need WebGL; where a machine has none the numbers are still there. */
-function viewOf(id) {
+function viewOf(id, distance) {
   try {
-    return new View(by(id));
+    return new View(by(id), distance);
   } catch {
     by(id).replaceWith(make('p', { class: 'note' }, 'This browser shows no three dimensions (WebGL is off).'));
     return null;
@@ -26,8 +26,8 @@ function viewOf(id) {
 }
 
 export function startArms() {
-  const armView = viewOf('arm-view');
-  const cloudView = viewOf('cloud-view');
+  const armView = viewOf('arm-view', 3);
+  const cloudView = viewOf('cloud-view', 8);
   const program = () => by('arm-program').value;
   let drawn;
 

@@ -15,6 +15,17 @@ export class Lines {
     this.line = '';
     this.queue = [];
     this.reader = null;
+    this.script = [];
+  }
+
+  /** Lines that are typed one by one, each when somebody waits for it. */
+  later(lines) {
+    this.script = [...lines];
+    this.prompt();
+  }
+
+  prompt() {
+    if (this.reader && this.script.length > 0 && !this.ready) this.type(`${this.script.shift()}\n`);
   }
 
   /** Keys, or what is pasted. */
@@ -60,6 +71,7 @@ export class Lines {
   read(room, take) {
     this.reader = { room, take };
     this.serve();
+    this.prompt();
   }
 
   get ready() {

@@ -43,4 +43,5 @@ addEventListener('hashchange', () => {
   by('main').focus({ preventScroll: true });
 });
 route();
+performance.mark('ready');
 document.documentElement.dataset.ready = 'yes';

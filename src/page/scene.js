@@ -10,8 +10,8 @@ const axes = [[0xd03030, 0], [0x2f8f2f, 1], [0x3060e0, 2]];
 
 /** A view that is turned by mouse, finger and arrow keys, and drawn only when something has changed. */
 export class View {
-  /** @param {HTMLCanvasElement} canvas */
-  constructor(canvas) {
+  /** @param {HTMLCanvasElement} canvas @param {number} distance of the eye */
+  constructor(canvas, distance) {
     this.canvas = canvas;
     this.renderer = new WebGLRenderer({ canvas, antialias: true, alpha: true });
     this.scene = new Scene();
@@ -25,7 +25,7 @@ export class View {
     this.scene.add(this.content);
     this.turn = -0.9;
     this.tilt = 0.45;
-    this.distance = 4;
+    this.distance = distance;
     this.listen();
     new ResizeObserver(() => this.draw()).observe(canvas);
   }

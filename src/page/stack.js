@@ -1,27 +1,16 @@
 /* The stack: two frames on the same piece of memory, and three words that a reader may choose. */
 
+import stack from 'docs/lab-book/figures/stack.tsv';
 import { by, make, shown } from './dom.js';
 import * as engine from './engine.js';
 
 const places = ['skew[0][0]', 'skew[1][1]', 'skew[2][2]'];
 const hex = (word) => (word >>> 0).toString(16).padStart(8, '0');
 
-/* From S, the stack pointer of main, down; the number is that of the word in `places` (docs/lab-book/residue.md). */
-const rows = [
-  ['S - 4', 'argument out', 'argument out'],
-  ['S - 8', 'argument kalpha, lower half', 'argument in'],
-  ['S - 12', 'argument kalpha, upper half', 'return address'],
-  ['S - 16', 'argument ka, lower half', 'saved frame pointer'],
-  ['S - 20', 'argument ka, upper half', 2],
-  ['S - 24', 'return address', 'skew[2][1]'],
-  ['S - 28', 'saved frame pointer', 'skew[2][0]'],
-  ['S - 32', 'n1, the cosine of alpha', 'skew[1][2]'],
-  ['S - 36', 'n2, the sine of alpha', 1],
-  ['S - 40', 'i', 'skew[1][0]'],
-  ['S - 44', 'j', 'skew[0][2]'],
-  ['S - 48', 'kalpha, lower half, as passed to sin', 'skew[0][1]'],
-  ['S - 52', 'kalpha, upper half, as passed to sin', 0],
-];
+/* From S, the stack pointer of main, down to the last word of getj that is seen: the table of the lab book's figure. */
+const rows = stack.split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split('\t'))
+  .map(([place, left, , right]) => ({ place: `S - ${place}`, left, right, unset: places.indexOf(right) }))
+  .slice(0, 13);
 
 function presets() {
   const alpha = engine.toolAlpha();
@@ -62,12 +51,10 @@ function framesTable(words) {
     make('caption', {}, 'The frame of gnpr for the tool, and the frame of getj for the base, on the same words'),
     make('thead', {}, make('tr', {}, ...['place', 'gnpr has left there', 'word', 'getj has there']
       .map((text) => make('th', { scope: 'col' }, text)))),
-    make('tbody', {}, ...rows.map(([place, left, right]) => {
-      const unset = typeof right === 'number';
-      return make('tr', { class: unset ? 'unset' : '' }, make('th', { scope: 'row' }, place), make('td', {}, left),
-        make('td', {}, unset ? make('code', {}, hex(words[right])) : ''),
-        make('td', {}, unset ? make('strong', {}, `${places[right]}, never set`) : right));
-    })));
+    make('tbody', {}, ...rows.map(({ place, left, right, unset }) => make('tr', { class: unset < 0 ? '' : 'unset' },
+      make('th', { scope: 'row' }, place), make('td', {}, left),
+      make('td', {}, unset < 0 ? '' : make('code', {}, hex(words[unset]))),
+      make('td', {}, unset < 0 ? right : make('strong', {}, `${right}, never set`))))));
 }
 
 /* One word: its digits, and a slider over what a float sees there. */

@@ -98,7 +98,7 @@ class Shell {
   /** A case of the paper, typed. What runs is interrupted first. */
   type(program, number) {
     if (this.running || this.lines.line !== '') this.lines.press('\x03');
-    this.lines.type([program, ...typedFor(program, number)].map((line) => line + '\n').join(''));
+    this.lines.later([program, ...typedFor(program, number)]);
   }
 }
 

@@ -19,13 +19,11 @@ json *told_begin(void)
         return NULL;
     }
     json_start(&writer, stream);
-    json_open_object(&writer, NULL);
     return &writer;
 }
 
 const char *told_end(void)
 {
-    json_close_object(&writer);
     json_end(&writer);
     const bool whole = fclose(writer.stream) == 0;
     return whole && text != NULL ? text : "{}";
