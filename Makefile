@@ -17,6 +17,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz mutants
+.PHONY: page test-page
 .PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
 
 all: setup $(BUILD)/wished-expat
@@ -96,6 +97,16 @@ book-check: all
 exercises: all
 	@.ci/setup --wish python3
 	@BUILD=$(BUILD) docs/lab-book/check-exercise --all
+
+# All of it in one HTML file, build/page/index.html: docs/page.md. Needs Debian's emscripten and sources, and npm's packages.
+page: all
+	@.ci/setup emcc node npm
+	@src/page/make/page . $(BUILD)
+
+# The page's WebAssembly against golden/, and the page itself in Chromium.
+test-page: page
+	@.ci/setup chromium
+	@BUILD=$(BUILD) node --test tests/page/golden.test.mjs tests/page/page.test.mjs
 
 # Which lines and branches the tests run. Needs gcc and gcovr.
 coverage: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
