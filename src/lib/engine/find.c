@@ -228,8 +228,8 @@ static double free_weight(const rows *rows)
     return sum;
 }
 
-/* Rounding apart: what is at its least to ten digits may be on either side of it. */
-static const double slack = 1e-10;
+/* Rounding apart: what is at its least to twelve digits may be on either side of it. */
+static const double slack = 1e-12;
 
 static void pin(rows *rows, armtol_answer *answer, const armtol_question *question, size_t column, bool pinned)
 {
