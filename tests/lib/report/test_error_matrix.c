@@ -171,9 +171,35 @@ static void test_an_overflow_is_told(void)
                           armtol_error_matrix(links, 2, &armtol_errata_none, overflowing, 8));
 }
 
+/*
+ * One link, so that J is used once: S with a residue has R w with r, element by element, more in v. The difference is
+ * linear in the residue, and w does not change.
+ */
+static void test_a_residue_that_is_given(void)
+{
+    static const armtol_residue none = {{0, 0, 0}}, given = {{1.946349, -3, 0.25}};
+    const armtol_link link = {ARMTOL_NPR, ARMTOL_REVOLUTE, .a = 3, .alpha = 0.7, .d = -2, .theta = 1.1};
+    double plain[6 * 4], moved[6 * 4];
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK,
+                          armtol_error_matrix_with_residue(&link, 1, &none, &armtol_errata_1987, plain, 4));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK,
+                          armtol_error_matrix_with_residue(&link, 1, &given, &armtol_errata_1987, moved, 4));
+    for (size_t i = 0; i < 3; i++) {
+        for (size_t k = 0; k < 4; k++) {
+            const double turned = plain[(i + 3) * 4 + k];
+            check_same(turned, moved[(i + 3) * 4 + k], "row %zu, column %zu", i + 3, k);
+            check_within(1e-5, plain[i * 4 + k] + given.diagonal[i] * turned, moved[i * 4 + k], "row %zu, column %zu",
+                         i, k);
+        }
+    }
+    TEST_ASSERT_EQUAL_INT(ARMTOL_WRONG_SIZE,
+                          armtol_error_matrix_with_residue(&link, 1, &given, &armtol_errata_1987, moved, 3));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_a_residue_that_is_given);
     RUN_TEST(test_a_chain_of_one_link_of_each_kind);
     RUN_TEST(test_chains_of_several_links);
     RUN_TEST(test_a_chain_of_fifty_links);
