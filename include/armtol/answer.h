@@ -5,6 +5,7 @@
 #include "armtol/error_matrix.h"
 #include "armtol/interface.h"
 #include "armtol/question.h"
+#include "armtol/transform.h"
 
 #include <stdbool.h>
 
@@ -12,7 +13,7 @@ ARMTOL_INTERFACE_BEGIN
 
 /* What whoever makes a link, and its joint, has to keep to. nan where there is nothing to keep to. */
 typedef struct armtol_part {
-    double distance; /* between the axes of the link, Eq. (4.32) */
+    double distance; /* between the axes of the link, Eq. (4.32); note 1 */
     double angle;    /* the smallest of the link's angles that no motor moves, Eq. (4.33) */
     double motor;    /* the joint's */
     double drive;    /* how far the drive of the joint is off: backlash and compliance, Eqs (4.20), (4.34) */
@@ -23,9 +24,12 @@ typedef struct armtol_predicted {
     double worst;      /* |A s| + sum over |A| t, s what loads shift the joints by */
     double shift;      /* |A s|: the mean of the error */
     double deviation;  /* the standard deviation about it, every error being even within its tolerance */
-    double remainder;  /* what the exact error can differ from A's by (armtol_remainder) */
+    double remainder;  /* what the exact error can differ from A's by (armtol_remainder), rounding included */
     double binds;      /* the share of the optimum that this component's limit holds down, over all poses */
     size_t worst_pose; /* where `worst` is largest, the first of several */
+    size_t deviation_pose; /* likewise where `deviation` is */
+    size_t binds_pose;     /* where `binds` is largest; 0 where it is 0 */
+    double rounding;       /* what of the remainder is rounding (armtol_rounding) */
 } armtol_predicted;
 
 /*
@@ -42,7 +46,7 @@ typedef struct armtol_answer {
     double accuracy[6];     /* infinity where none is asked for */
     armtol_column *columns; /* n_columns: what they stand for */
     armtol_link *links;     /* n_poses x n_links, placed */
-    double *matrices;       /* n_poses x 6 x n_columns: A of every pose, one below the other (tool_matrix.h) */
+    double *matrices;       /* n_poses x 6 x n_columns: A of every pose, one below the other (tool_matrix.h), cleared */
 
     double *tolerances; /* n_columns; infinity for a parameter that no bounded component sees; of a motor whose drive is
                            known the largest of all poses and loads */
@@ -73,8 +77,10 @@ typedef struct armtol_answer {
  *
  * Notes:
  * 1) Parts. By method sphere, tolerances asked for, they are as the report has them: the distance of Eq. (4.32) for a and d
- *    both off by the share, whether the link counts them or not, and that distance for the motor of a prismatic joint.
- *    Else a parameter that the link does not count is exact, and the motor has the tolerance of the parameter it moves.
+ *    both off by the share, whether the link counts them or not, and that distance for the motor of a prismatic joint,
+ *    both the least of all poses. Else a parameter that the link does not count is exact, and the motor has the tolerance
+ *    of the parameter it moves; parallel axes (ppr, ppp) are |a| apart, so that theirs is the tolerance of a; a prismatic
+ *    joint has no distance.
  * 2) Delta that is to be chosen is armtol_sphere_delta's, its lever the length of the arm when it is stretched: the sum
  *    of sqrt(a^2 + d^2), the largest of all poses, and the tool's offset; 1 for an arm without any length.
  * 3) With drives. A drive that the arm names (armtol_drive_is_known) gives its motor: in every pose and load the moment of
@@ -127,6 +133,9 @@ double armtol_answer_shift(const armtol_answer *answer, size_t pose, size_t comp
 
 /* Where the tool point should be in that pose, in the base's coordinates. */
 void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3]);
+
+/* The tool there: the last frame's orientation, at the tool point. */
+void armtol_answer_frame(const armtol_answer *answer, size_t pose, armtol_transform *frame);
 
 ARMTOL_INTERFACE_END
 

@@ -48,7 +48,8 @@ typedef struct armtol_budget {
  * Notes:
  * 1) The shares are those of the worst case, |A s| + |A| t. With method rss they are those of |A s| + sigma deviation, the
  *    second term shared out by the squares (A t)^2.
- * 2) Each component in the pose where its worst case is largest (worst_pose).
+ * 2) Each component in the pose whose error is printed: where its worst case is largest (worst_pose) or, with method rss,
+ *    its deviation (deviation_pose).
  * 3) All shares are 0 for a component that nothing moves, and nan for one that nothing bounds.
  *
  * Errors:

@@ -18,7 +18,7 @@ ARMTOL_INTERFACE_BEGIN
 
 /*
  * |row| tolerances: the largest that the row's component of the error gets to first order. An infinite tolerance
- * makes it infinite where its element counts (optimum.h), and adds nothing where it does not.
+ * makes it infinite where its element is not 0, and adds nothing where it is.
  */
 double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[]);
 
@@ -27,8 +27,7 @@ double armtol_rss_error(const double matrix[], size_t n_columns, size_t row, con
 
 /*
  * The corner where the row's component has its largest value, or for sign -1 its least: each error with the
- * sign of its element. A parameter that does not move the component to first order stays as meant: the sign
- * of what rounding left there would mean nothing.
+ * sign of its element. A parameter that does not move the component to first order stays as meant.
  */
 void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign, const double tolerances[],
                    double parameter_errors[]);
@@ -42,6 +41,15 @@ void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign
  */
 void armtol_remainder(const double matrix[], size_t n_columns, const double tolerances[],
                       double remainder[6]);
+
+/*
+ * What rounding can make of the six components: how far A's prediction, of a matrix that armtol_tool_matrix_clear may have
+ * seen, and the exact error as armtol_tool_error and armtol_sampler_draw compute it, can together be from what they would
+ * be without rounding, anywhere in the box. A bound, proved in rounding.c; the truth is some hundred times less. links are
+ * placed and fine; tolerances are finite, one a column; joint values and angles below 1e6 rad.
+ */
+void armtol_rounding(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double tolerances[],
+                     double rounding[6]);
 
 /* How large an error of the tool is: one number >= 0 of the six of armtol_tool_error. */
 typedef double (*armtol_error_size)(const double error[6], const void *context);
@@ -66,7 +74,8 @@ typedef double (*armtol_error_size)(const double error[6], const void *context);
  * Notes:
  * 1) Errors are tried one after the other, - before +, round after round, until a round gains nothing. A gain below 1e-9 of
  *    the size does not count: it may be rounding, and not end. After 100 rounds it is left at that.
- * 2) It is a local search: it finds no less than it began with, and need not find the largest of all corners.
+ * 2) A round takes a time that is in proportion to the number of links.
+ * 3) It is a local search: it finds no less than it began with, and need not find the largest of all corners.
  */
 double armtol_climb(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double shifts[],
                     const double tolerances[], size_t n_columns, armtol_error_size size, const void *context,

@@ -29,9 +29,8 @@ size_t armtol_optimum_workspace(size_t n_rows, size_t n_columns);
  * n_rows x n_columns, row-major: A, or the A of several poses one below the other. A limit may be infinite:
  * its row is free. There is one optimum, and no unit of measurement moves it.
  *
- * A column without an element that counts in a row that is not free gets an infinite tolerance. An element
- * counts if it is more than 1e-12 of the largest of its row: below lies what rounding leaves of a 0. All
- * other tolerances keep to every limit to the last bit, in whatever order the products of a row are summed,
+ * A column that is 0 in every row that is not free gets an infinite tolerance; what rounding leaves of a 0 is
+ * to be cleared before (armtol_tool_matrix_clear). All other tolerances keep to every limit to the last bit, in whatever order the products of a row are summed,
  * infinite tolerances left out.
  *
  * multipliers has n_rows places: the share of the whole weight that each row's limit holds down, >= 0, 0 for

@@ -29,8 +29,8 @@ enum { ARMTOL_QUANTILES = 4 };
 
 /*
  * One component of the tool's exact error, magnitudes, the largest of all poses. A quantile is what that share of the arms
- * does not exceed, rounded up by no more than 1/4096 of the predicted worst case and remainder (of half a turn, where that
- * is less), and never above worst_drawn. All are nan for a component that depends on a parameter without a bound.
+ * does not exceed, rounded up by no more than 2^-10 of itself and never above worst_drawn; below 2^-63 of the predicted worst
+ * case and remainder, and of what the arm reaches, which is below the rounding of an error, it is rounded up to that. All are nan for a component that depends on a parameter without a bound.
  */
 typedef struct armtol_verified {
     double quantiles[ARMTOL_QUANTILES];
@@ -68,7 +68,7 @@ typedef struct armtol_verification {
  *    That is no error.
  * 3) Threads are POSIX threads. They are begun and ended within the call, all signals blocked: signals come to the
  *    program's own threads. Threads that cannot be had, and memory for them, are done without.
- * 4) Each thread takes some 230 kB; poses some 500 bytes a link.
+ * 4) Each thread takes 3 MB of address space, of which it touches some 300 kB; poses take some 500 bytes a link.
  *
  * Errors:
  *    ARMTOL_NO_MEMORY

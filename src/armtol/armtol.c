@@ -7,6 +7,7 @@
 #include "armtol/ask/watched.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tell/arm_list.h"
+#include "armtol/tell/json_arms.h"
 #include "armtol/tell/laying.h"
 #include "armtol/tell/output.h"
 #include "console/exit_code.h"
@@ -101,13 +102,20 @@ static int run(const cli_options *options, const arm_model *model)
     return ended;
 }
 
-static int show(const arm_model *model, const cli_options *options)
+static int show(arm_model *model, const cli_options *options)
 {
-    const angle_unit unit = options->angle == UNITS_OF_ARM  ? model->angle_unit
-                            : options->angle == UNITS_SMALL ? UNIT_DEGREE
-                                                            : UNIT_RADIAN;
-    laying_print(&model->laying, &(units){model->arm.unit, model->arm.unit, unit}, "# ");
-    arm_file_write(&model->arm, unit, stdout);
+    units units = units_chosen(options, model);
+    const struct units laid = units; /* what was laid anew is told in the arm's own lengths, as they are to be shown */
+    if (!arm_model_convert(model, units.length)) {
+        return EXIT_WRONG;
+    }
+    units.arm = units.length;
+    if (options->format == OUTPUT_JSON) {
+        json_show(&model->arm, &units);
+    } else {
+        laying_print(&model->laying, &laid, "# ");
+        arm_file_write(&model->arm, units.angle, stdout);
+    }
     return EXIT_OK;
 }
 
@@ -133,7 +141,11 @@ static int act(const cli_options *options)
         printf("armtol %s\n", armtol_version());
         return EXIT_OK;
     case CLI_LIST:
-        arm_list_print();
+        if (options->format == OUTPUT_JSON) {
+            json_list();
+        } else {
+            arm_list_print();
+        }
         return EXIT_OK;
     default:
         return with_arm(options);

@@ -3,11 +3,25 @@
 #include "console/message.h"
 
 #include <stddef.h>
+#include <string.h>
 
 bool flags_wrong(const char *what, const char *argument)
 {
     message("%s %s; expected options as in --help", what, message_quote(argument, &(quoted){""}));
     return false;
+}
+
+/* getopt takes the beginning of a name for the name: a word that works today would mean another option tomorrow. */
+static bool is_whole_name(const char *word, int option, const struct option names[])
+{
+    const bool is_long = word[0] == '-' && word[1] == '-';
+    for (size_t i = 0; is_long && names[i].name != NULL; i++) {
+        if (names[i].val == option) {
+            const size_t length = strlen(names[i].name);
+            return strncmp(word + 2, names[i].name, length) == 0 && (word[2 + length] == '\0' || word[2 + length] == '=');
+        }
+    }
+    return true;
 }
 
 bool flags_read(int argc, char *argv[], const char *letters, const struct option names[], flag_taker *take,
@@ -22,7 +36,8 @@ bool flags_read(int argc, char *argv[], const char *letters, const struct option
         }
         const bool fine = option == '?'   ? flags_wrong("unknown option", argv[at])
                           : option == ':' ? flags_wrong("an argument is missing after", argv[at])
-                                          : take(option, optarg, context);
+                                          : is_whole_name(argv[at], option, names) ? take(option, optarg, context)
+                                                                   : flags_wrong("unknown option", argv[at]);
         if (!fine) {
             return false;
         }

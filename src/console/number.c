@@ -114,9 +114,22 @@ bool whole_number_of(const char *text, uint64_t least, uint64_t most, uint64_t *
     return true;
 }
 
+/* 1e6, 2.5e5: where a double holds the number to the last digit. */
+static bool whole_decimal_of(const char *text, uint64_t least, uint64_t most, uint64_t *value)
+{
+    static const double largest = 9007199254740992; /* 2^53 */
+    double number;
+    if (number_parse(text, &number) != NUMBER_FINE || !(number >= 0 && number <= largest) || number != floor(number)) {
+        return false;
+    }
+    const uint64_t whole = (uint64_t)number;
+    *value = whole;
+    return whole >= least && whole <= most;
+}
+
 bool whole_number_parse(const char *option, const char *text, uint64_t least, uint64_t most, uint64_t *value)
 {
-    const bool fine = whole_number_of(text, least, most, value);
+    const bool fine = whole_number_of(text, least, most, value) || whole_decimal_of(text, least, most, value);
     if (!fine) {
         message("%s: %s is not a whole number from %llu to %llu", option, message_quote(text, &(quoted){""}),
                 (unsigned long long)least, (unsigned long long)most);

@@ -40,6 +40,8 @@
 #define axis_kind armtol_private_axis_kind
 #define axis_line_of armtol_private_axis_line_of
 #define axis_line_seen armtol_private_axis_line_seen
+#define built_error armtol_private_built_error
+#define built_link armtol_private_built_link
 #define columns_check armtol_private_columns_check
 #define columns_of_link armtol_private_columns_of_link
 #define cosine_of armtol_private_cosine_of

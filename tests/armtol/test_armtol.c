@@ -311,6 +311,11 @@ static const wrong_call wrong_calls[] = {
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--tolerances", "d>=1", NULL},
      "armtol: --tolerances: \"d\" is no NAME=NUMBER"},
     {{"puma560", "--frobnicate", NULL}, "armtol: unknown option \"--frobnicate\"; expected options as in --help"},
+    {{"puma560", "--joints", POSE, "--acc", WISH, NULL}, "armtol: unknown option \"--acc\"; expected options as"},
+    {{"puma560", "--joints", POSE, "--joints=0", NULL}, "armtol: --joints: is given twice; expected once"},
+    {{"puma560", "--show", "--csv", NULL}, "armtol: --csv writes tolerances only; expected --json, or nothing"},
+    {{"--list", "--csv", NULL}, "armtol: --csv writes tolerances only; expected --json, or nothing"},
+    {{"puma560", "--joints", POSE, "--accuracy", WISH, "--verify", "1.5", NULL}, "armtol: --verify: \"1.5\" is not a whole"},
     {{"puma560", "--joints", NULL}, "armtol: an argument is missing after \"--joints\"; expected options as in --help"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--method", "sphere", NULL}, NULL},
 };
@@ -353,6 +358,144 @@ static void test_drives_that_are_too_much_are_told_with_their_share(void)
                              process.errors.bytes);
 }
 
+/* ---- what is said, and how ---- */
+
+static void check_says_not(const process *process, const char *words)
+{
+    TEST_ASSERT_TRUE_MESSAGE(strstr(process->output.bytes, words) == NULL, words);
+}
+
+static void test_the_poses_are_named_and_the_one_that_binds(void)
+{
+    const string folder = folder_new();
+    process process;
+    run_well(&process, NULL, (const char *const[]){"scara", "--joints", "10,20,100,0", "--degrees", "--accuracy",
+                                                   ".1,.1,.1,-,-,-", NULL});
+    check_says(&process, "that guarantee the accuracy in this pose; elsewhere is\nunknown.");
+    check_says_not(&process, "pose 1");
+    file_write(string_of("%s/poses.txt", folder.text).text, "0 0 100 0\n90 0 100 0\n");
+    /* dx is held by the pose that has the arm along y, dy by the other */
+    run_well(&process, folder.text, (const char *const[]){"scara", "--poses", "poses.txt", "--degrees", "--accuracy",
+                                                          ".1,.1,-,-,-,-", NULL});
+    check_says(&process, "the accuracy in these 2 poses; elsewhere\nis unknown.");
+    check_says(&process, "  pose 2: joints 90 0 100 0, tool point");
+    check_says(&process, "unit  pose  held down by it");
+    run_well(&process, folder.text, (const char *const[]){"scara", "--poses", "poses.txt", "--degrees", "--accuracy",
+                                                          ".1,.1,-,-,-,-", "--json", NULL});
+    check_says(&process, "\"pose\": 2");
+}
+
+/* A turn by 30 degrees about z, then by 90 about x. */
+static void test_the_tool_s_pose_is_told_on_request(void)
+{
+    const string folder = folder_new();
+    process process;
+    file_write(string_of("%s/one.arm", folder.text).text,
+               "units: mm deg\nkind, joint, a, alpha, d, theta\nnpr, theta, 100, 90, 7, 0\n");
+    run_well(&process, folder.text, (const char *const[]){"one.arm", "--joints", "30", "--accuracy", "1,1,1,1,1,1",
+                                                          "--tool-pose", NULL});
+    check_says(&process, "     0.866025404   0.000000000   0.500000000       86.602540\n");
+    check_says(&process, "     0.500000000   0.000000000  -0.866025404       50.000000\n");
+    check_says(&process, "     0.000000000   1.000000000   0.000000000        7.000000\n");
+    check_says(&process, "    zyx 30.000000 0.000000 90.000000\n");
+    run_well(&process, folder.text, (const char *const[]){"one.arm", "--joints", "30", "--accuracy", "1,1,1,1,1,1",
+                                                          "--tool-pose", "--json", NULL});
+    check_says(&process, "\"matrix\": [\n        [0.866025403784438");
+    check_says(&process, "\"zyx\": [");
+}
+
+static void test_why_sigma_can_be_more_than_the_worst_case(void)
+{
+    const string folder = folder_new();
+    process process;
+    file_write(string_of("%s/one.arm", folder.text).text,
+               "units: mm deg\nkind, joint, a, alpha, d, theta\nppr, theta, 100, 0, 0, 0\n");
+    run_well(&process, folder.text, (const char *const[]){"one.arm", "--joints", "0", "--accuracy", "1,1,-,-,-,-", NULL});
+    check_says(&process, "\ndx, dy, wz: 3 sigma is more than the worst case.");
+    run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy",
+                                                   "1,-,-,-,-,-", NULL});
+    check_says_not(&process, "more than the worst case");
+}
+
+/* What reads the same is the same: 0.3 degrees of play, and 0.1 + 0.2. */
+static void test_what_is_equal_on_paper_is_equal(void)
+{
+    const string folder = folder_new();
+    process process;
+    file_write(string_of("%s/one.arm", folder.text).text,
+               "units: mm deg\nkind, joint, a, alpha, d, theta, low, high, backlash, compliance, moment\n"
+               "npr, theta, 100, 0, 0, 0, -300, 300, 0.1, 0.1, 2\n");
+    file_write(string_of("%s/t.csv", folder.text).text,
+               "link,parameter,tolerance\n0,theta,0.3\n0,d,1\n0,a,1\n0,alpha,1\n");
+    run_well(&process, folder.text, (const char *const[]){"one.arm", "--joints", "300", "--tolerances", "t.csv", "--wish",
+                                                          "motors", NULL});
+    check_says(&process, "deg        0.3          yes\n");
+    run_well(&process, folder.text,
+             (const char *const[]){"one.arm", "--joints", "300", "--tolerances", "t.csv", "--json", NULL});
+    check_says(&process, "\"joints\": [\n        300\n      ]");
+    run(&process, folder.text, (const char *const[]){"one.arm", "--joints", "301", "--tolerances", "t.csv", NULL});
+    process_check_status(&process, 2, "beyond");
+    TEST_ASSERT_TRUE(strstr(process.errors.bytes, "301 is beyond its limits; expected -300 to 300 deg\n") != NULL);
+}
+
+static void test_an_arm_is_shown_in_the_units_that_are_asked_for(void)
+{
+    const string folder = folder_new();
+    process mm, metres, back;
+    run_well(&mm, NULL, (const char *const[]){"stanford", "--show", "--mm", NULL});
+    run_well(&metres, NULL, (const char *const[]){"stanford", "--show", "--metres", NULL});
+    TEST_ASSERT_TRUE(strstr(mm.output.bytes, "units: mm ") != NULL && strstr(metres.output.bytes, "units: m ") != NULL);
+    file_write(string_of("%s/m.arm", folder.text).text, metres.output.bytes);
+    run_well(&back, folder.text, (const char *const[]){"m.arm", "--show", "--mm", NULL});
+    text_check(mm.output.bytes, mm.output.length, &back.output, "there and back");
+    file_write(string_of("%s/far.arm", folder.text).text,
+               "units: m rad\nkind, joint, a, alpha, d, theta\nnpr, theta, 1e306, 0, 0, 0\n");
+    run(&back, folder.text, (const char *const[]){"far.arm", "--show", "--mm", NULL});
+    process_check_status(&back, 2, "too large in mm");
+}
+
+static void test_lists_and_tables_for_programs(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"--list", "--json", NULL});
+    check_says(&process, "\"name\": \"puma560\"");
+    TEST_ASSERT_TRUE(process.output.bytes[0] == '{');
+    run_well(&process, NULL, (const char *const[]){"panda", "--show", "--json", "--degrees", "--metres", NULL});
+    check_says(&process, "\"length\": \"m\",\n    \"angle\": \"deg\"");
+    check_says(&process, "\"alpha\": -90,\n      \"d\": 0.333,");
+    check_says_not(&process, "null");
+}
+
+/* null is what has no bound; what does not exist is not there. */
+static void test_null_means_one_thing(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"scara", "--joints", "10,20,100,0", "--degrees", "--accuracy",
+                                                   ".1,.1,.1,.1,.1,.1", "--json", NULL});
+    check_says_not(&process, "null");
+    check_says(&process, "\"link\": 2,\n      \"angle\":"); /* the slide has no distance */
+    run_well(&process, NULL, (const char *const[]){"scara", "--joints", "10,20,100,0", "--degrees", "--accuracy",
+                                                   ".1,.1,.1,.1,.1,-", "--json", NULL});
+    check_says(&process, "\"accuracy\": null");
+}
+
+static void test_a_number_of_arms_may_have_an_exponent(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH,
+                                                   "--verify", "1.5e3", NULL});
+    check_says(&process, "1500 arms drawn");
+}
+
+static void test_an_accuracy_below_rounding_is_said_to_be_so(void)
+{
+    process process;
+    run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy",
+                                                   "1e-12,1,1,1,1,1", NULL});
+    check_says(&process, "dx: the accuracy is less than the ");
+    check_says_not(&process, "dy: the accuracy");
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -367,6 +510,15 @@ int main(void)
     RUN_TEST(test_the_budget_adds_up);
     RUN_TEST(test_a_verification_depends_on_its_seed_and_not_on_the_threads);
     RUN_TEST(test_what_cannot_be_written_is_a_failure);
+    RUN_TEST(test_the_poses_are_named_and_the_one_that_binds);
+    RUN_TEST(test_the_tool_s_pose_is_told_on_request);
+    RUN_TEST(test_why_sigma_can_be_more_than_the_worst_case);
+    RUN_TEST(test_what_is_equal_on_paper_is_equal);
+    RUN_TEST(test_an_arm_is_shown_in_the_units_that_are_asked_for);
+    RUN_TEST(test_lists_and_tables_for_programs);
+    RUN_TEST(test_null_means_one_thing);
+    RUN_TEST(test_a_number_of_arms_may_have_an_exponent);
+    RUN_TEST(test_an_accuracy_below_rounding_is_said_to_be_so);
     RUN_TEST(test_wrong_calls_are_named_and_answered_with_2);
     return UNITY_END();
 }

@@ -257,7 +257,7 @@ static void test_what_has_no_bound_is_null_in_json(void)
     check_says(&process, "\"shares\": [1, 0, 1, null, 0, 0]");
     check_says(&process, "\"name\": \"wx\",\n        \"prediction\": null,\n        \"remainder\": null,\n"
                          "        \"quantiles\": [null, null, null, null],\n        \"worst_drawn\": null,\n"
-                         "        \"worst_arm\": null,\n        \"worst_corner\": null\n");
+                         "        \"worst_corner\": null\n");
 }
 
 static void test_a_wish_for_it_is_answered_but_not_verified(void)
@@ -350,7 +350,7 @@ static void test_the_method_is_said(void)
     file_write(file.text, process.output.bytes);
     run_well(&process, folder.text, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--tolerances",
                                                           "t.csv", "--verify", "100", NULL});
-    check_says(&process, "The tolerances of t.csv, and the accuracy that they give.\n");
+    check_says(&process, "The tolerances of t.csv, and the accuracy that they give in this pose;");
     check_says(&process, "100 arms drawn");
     TEST_ASSERT_NULL(strstr(process.output.bytes, "within the accuracy")); /* none is wished */
 }
@@ -362,9 +362,10 @@ static void test_a_sphere_says_its_bounds_in_json_too(void)
     run_well(&json, NULL, (const char *const[]){ASKED, "--method", "sphere", "--delta", ".1", "--json", NULL});
     TEST_ASSERT_TRUE(fabs(number_after(&json, "\"delta\": ") - .1) < 1e-15);
     const string said =
-        string_of("corrected: distance %.6g, angle %.6g, delta 0.1.", number_after(&json, "\"distance_bound\": "),
+        string_of("corrected: distance %.6g, angle\n%.6g, delta", number_after(&json, "\"distance_bound\": "),
                   number_after(&json, "\"angle_bound\": "));
     check_says(&text, said.text);
+    check_says(&text, "0.1, in this pose;");
 }
 
 static void test_many_poses_are_counted_and_not_listed(void)

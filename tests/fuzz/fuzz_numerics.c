@@ -121,6 +121,10 @@ static bool make_matrices(problem *problem)
         if (status == ARMTOL_OK && !problem->wild) {
             check_same_matrix(problem, p);
         }
+        if (status == ARMTOL_OK) {
+            armtol_tool_matrix_clear(problem->placed[p], problem->n_links, &problem->tool,
+                                     problem->matrices + p * 6 * n, n);
+        }
     }
     REQUIRE(status == ARMTOL_OK || (status == ARMTOL_NOT_FINITE && problem->wild));
     return status == ARMTOL_OK;

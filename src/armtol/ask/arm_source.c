@@ -103,12 +103,23 @@ static bool lay(const cli_options *options, bool is_table, arm_model *model)
     return arm_laying_snap(model, options->snap);
 }
 
+/* The same for a URDF as for the table that it may be shown as. */
+static bool check_count(const char *path, const arm_model *model)
+{
+    const bool fine = model->arm.n_links <= ARM_MOST_LINKS;
+    if (!fine) {
+        message("%s: the chain has %zu links; expected at most %d", path, model->arm.n_links, ARM_MOST_LINKS);
+    }
+    return fine;
+}
+
 static int read_and_close(FILE *stream, const cli_options *options, arm_model *model)
 {
     bool is_table;
     bool fine = read_file(stream, options, model, &is_table);
     fclose(stream);
-    if (fine && !(check_angles(options->arm, model) && lay(options, is_table, model))) {
+    if (fine && !(check_count(options->arm, model) && check_angles(options->arm, model) &&
+                  lay(options, is_table, model))) {
         arm_model_free(model);
         fine = false;
     }

@@ -37,6 +37,7 @@ enum {
     OPTION_FORCE,
     OPTION_COMPENSATED,
     OPTION_BUDGET,
+    OPTION_TOOL_POSE,
     OPTION_VERIFY,
     OPTION_SEED,
     OPTION_THREADS,
@@ -73,6 +74,7 @@ static const struct option long_options[] = {
     {"force", required_argument, NULL, OPTION_FORCE},
     {"compensated", required_argument, NULL, OPTION_COMPENSATED},
     {"budget", no_argument, NULL, OPTION_BUDGET},
+    {"tool-pose", no_argument, NULL, OPTION_TOOL_POSE},
     {"verify", required_argument, NULL, OPTION_VERIFY},
     {"seed", required_argument, NULL, OPTION_SEED},
     {"threads", required_argument, NULL, OPTION_THREADS},
@@ -263,8 +265,23 @@ static bool take_problem(int option, const char *argument, cli_options *options)
     }
 }
 
+/* Of an option with an argument only one can hold. Every option has a bit of its own. */
+static bool is_first(int option, cli_options *options)
+{
+    const uint64_t bit = option >= OPTION_JOINTS ? (uint64_t)1 << (option - OPTION_JOINTS) : 0;
+    const bool twice = (options->seen & bit) != 0 && option != OPTION_PAYLOAD; /* one a load case */
+    options->seen |= bit;
+    for (size_t i = 0; twice && long_options[i].name != NULL; i++) {
+        if (long_options[i].val == option && long_options[i].has_arg == required_argument) {
+            message("--%s: is given twice; expected once", long_options[i].name);
+            return false;
+        }
+    }
+    return true;
+}
+
 /* Options that say what to do, and how to show it. */
-static bool take(int option, const char *argument, void *context)
+static bool take_one(int option, const char *argument, void *context)
 {
     cli_options *options = context;
     switch (option) {
@@ -280,6 +297,8 @@ static bool take(int option, const char *argument, void *context)
         return options->as_is = true;
     case OPTION_BUDGET:
         return options->budget = true;
+    case OPTION_TOOL_POSE:
+        return options->tool_pose = true;
     case OPTION_VERIFY:
         return whole_number_parse("--verify", argument, 1, MOST_ARMS, &options->verify);
     case OPTION_SEED:
@@ -302,6 +321,11 @@ static bool take(int option, const char *argument, void *context)
     default:
         return take_problem(option, argument, options);
     }
+}
+
+static bool take(int option, const char *argument, void *context)
+{
+    return is_first(option, context) && take_one(option, argument, context);
 }
 
 static bool take_arm(const char *argument, cli_options *options)
@@ -367,6 +391,9 @@ static const char *fault_of_question(const cli_options *options)
 
 static const char *fault_of(const cli_options *options)
 {
+    if (options->format == OUTPUT_CSV && (options->action == CLI_LIST || options->action == CLI_SHOW)) {
+        return "--csv writes tolerances only; expected --json, or nothing, with --list and --show";
+    }
     if (options->action == CLI_LIST || options->action == CLI_HELP || options->action == CLI_VERSION) {
         return NULL;
     }

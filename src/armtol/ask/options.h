@@ -43,11 +43,13 @@ typedef struct cli_options {
     double sigma; /* standard deviations */
     bool sigma_given;
     bool budget;
+    bool tool_pose;
     uint64_t verify; /* arms to draw, 0 for none */
     uint64_t seed;
     bool seed_given;
     size_t threads; /* 0: as many as there are processors */
     output_format format;
+    uint64_t seen; /* a bit for every option that has been read */
 } cli_options;
 
 /* EXIT_OK, or EXIT_WRONG after a message. */

@@ -16,23 +16,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-static units units_of(const cli_options *options, const arm_model *model)
-{
-    units units = {model->arm.unit, model->arm.unit, model->angle_unit};
-    if (options->length != UNITS_OF_ARM) {
-        units.length = options->length == UNITS_SMALL ? ARMTOL_MILLIMETRE : ARMTOL_METRE;
-    }
-    if (options->angle != UNITS_OF_ARM) {
-        units.angle = options->angle == UNITS_SMALL ? UNIT_DEGREE : UNIT_RADIAN;
-    }
-    return units;
-}
-
 /* ---- poses ---- */
 
 static const char *joint_text(const units *units, const armtol_link *link, double value, number_text *text)
 {
-    return number_shortest(units_shown(units, link->joint == ARMTOL_PRISMATIC, value), &armtol_errata_none, text);
+    return number_shortest(units_typed(units, link->joint == ARMTOL_PRISMATIC, value), &armtol_errata_none, text);
 }
 
 static double size_of_end(double end)
@@ -316,7 +304,7 @@ int request_make(request *request, const cli_options *options, const arm_model *
 {
     *request = (struct request){
         .options = options,
-        .units = units_of(options, model),
+        .units = units_chosen(options, model),
         .laying = &model->laying,
         .arm = model->arm,
         .question = {.arm = &request->arm, .method = options->method, .sigma = options->sigma},

@@ -1,6 +1,9 @@
 #include "armtol/ask/units.h"
 
+#include <float.h>
 #include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 
 #define PI 3.14159265358979323846
 
@@ -31,6 +34,32 @@ double units_taken(const units *units, bool is_length, double value)
         return scaled(value, millimetres(units->length), millimetres(units->arm));
     }
     return units->angle == UNIT_DEGREE ? scaled(value, PI, 180) : value;
+}
+
+double units_typed(const units *units, bool is_length, double value)
+{
+    const double shown = units_shown(units, is_length, value);
+    for (int digits = 6; digits < 17 && isfinite(shown); digits++) {
+        char text[40];
+        snprintf(text, sizeof text, "%.*g", digits, shown);
+        const double typed = strtod(text, NULL);
+        if (fabs(typed - shown) <= 2 * DBL_EPSILON * fabs(shown)) {
+            return typed;
+        }
+    }
+    return shown;
+}
+
+units units_chosen(const cli_options *options, const arm_model *model)
+{
+    units units = {model->arm.unit, model->arm.unit, model->angle_unit};
+    if (options->length != UNITS_OF_ARM) {
+        units.length = options->length == UNITS_SMALL ? ARMTOL_MILLIMETRE : ARMTOL_METRE;
+    }
+    if (options->angle != UNITS_OF_ARM) {
+        units.angle = options->angle == UNITS_SMALL ? UNIT_DEGREE : UNIT_RADIAN;
+    }
+    return units;
 }
 
 const char *units_name(const units *units, bool is_length)

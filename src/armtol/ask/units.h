@@ -1,6 +1,7 @@
 #ifndef ARMTOL_ASK_UNITS_H
 #define ARMTOL_ASK_UNITS_H
 
+#include "armtol/ask/options.h"
 #include "armtol/tables/arm_model.h"
 
 #include <stdbool.h>
@@ -17,6 +18,15 @@ typedef struct units {
 /* From inside to the user's, and back. */
 double units_shown(const units *units, bool is_length, double value);
 double units_taken(const units *units, bool is_length, double value);
+
+/*
+ * As shown, but the shortest decimal number that says the same to some 2 units in the last place: what was typed as 300
+ * degrees, or 0.3 mm of an arm in metres, is that again.
+ */
+double units_typed(const units *units, bool is_length, double value);
+
+/* What the command line chooses for an arm; what it does not say is the arm's. */
+units units_chosen(const cli_options *options, const arm_model *model);
 
 /* "mm", "m", "deg" or "rad". */
 const char *units_name(const units *units, bool is_length);

@@ -13,8 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_LINKS = 1000 };
-
 static const char expected_head[] = "expected a row of names: joint, a, alpha, d, theta and, as needed, kind, beta, "
                                     "low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z";
 
@@ -118,8 +116,8 @@ static file_place place_of_kind(const arm_reader *reader)
 
 static bool take_row(arm_reader *reader)
 {
-    if (reader->n_links == MOST_LINKS) {
-        cells_message(&reader->row, 0, "more than %d links", MOST_LINKS);
+    if (reader->n_links == ARM_MOST_LINKS) {
+        cells_message(&reader->row, 0, "more than %d links", ARM_MOST_LINKS);
         return false;
     }
     arm_entry entry;

@@ -6,6 +6,8 @@
 
 #include <stdbool.h>
 
+enum { ARM_MOST_LINKS = 1000 }; /* in a file of any kind */
+
 typedef enum angle_unit { UNIT_RADIAN, UNIT_DEGREE } angle_unit;
 
 /* How the frames of an arm were laid (arm_laying.h): 0 where they are as they were read. */
@@ -29,6 +31,10 @@ typedef struct arm_model {
 
 /* A copy of the given parts. False, after a message, where memory is short. */
 bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_unit);
+
+/* Its lengths in another unit. False, after a message, where no double holds one. */
+bool arm_model_convert(arm_model *model, armtol_length_unit unit);
+
 void arm_model_free(arm_model *model);
 
 #endif

@@ -15,11 +15,20 @@ parameter_row findings_parameter(const findings *findings, size_t column)
         .parameter = armtol_parameter_name(at->parameter),
         .role = armtol_role_name(armtol_role_of(&link, at->parameter)),
         .unit = units_name(units, is_length),
-        .nominal = units_shown(units, is_length, *armtol_link_parameter(&link, at->parameter)),
+        .nominal = units_typed(units, is_length, *armtol_link_parameter(&link, at->parameter)),
         .given = answer->given[column],
         .held = answer->held[column],
         .tolerance = units_shown(units, is_length, answer->tolerances[column]),
     };
+}
+
+size_t findings_pose(const findings *findings, size_t component)
+{
+    const armtol_predicted *predicted = &findings->answer->components[component];
+    const size_t pose = predicted->binds > 0                              ? predicted->binds_pose
+                        : findings->answer->method == ARMTOL_METHOD_RSS ? predicted->deviation_pose
+                                                                          : predicted->worst_pose;
+    return pose / findings->answer->n_loads;
 }
 
 double findings_shown(const findings *findings, size_t component, double value)

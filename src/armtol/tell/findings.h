@@ -30,6 +30,9 @@ typedef struct parameter_row {
 
 parameter_row findings_parameter(const findings *findings, size_t column);
 
+/* The pose, from 0, that holds a component down or, where none does, in which it is largest. */
+size_t findings_pose(const findings *findings, size_t component);
+
 /* A component's number in the user's units. */
 double findings_shown(const findings *findings, size_t component, double value);
 

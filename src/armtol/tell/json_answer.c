@@ -9,6 +9,14 @@
 
 /* docs/json.md describes what is written here; names and meanings stay, new ones may come. */
 
+/* What does not exist is left out: null is what has no bound. */
+static void json_known(json *json, const char *name, double value)
+{
+    if (!isnan(value)) {
+        json_number(json, name, value);
+    }
+}
+
 static void write_arm(json *json, const findings *findings)
 {
     const armtol_arm *arm = findings->request->question.arm;
@@ -26,6 +34,25 @@ static void write_arm(json *json, const findings *findings)
     json_close_object(json);
 }
 
+static void write_frame(json *json, const findings *findings, size_t pose)
+{
+    const units *units = &findings->request->units;
+    armtol_transform frame;
+    double as_pose[6];
+    armtol_answer_frame(findings->answer, pose * findings->answer->n_loads, &frame);
+    armtol_transform_to_pose(&frame, &armtol_errata_none, as_pose);
+    json_open_array(json, "matrix");
+    for (int i = 0; i < 3; i++) {
+        frame.m[i][3] = units_shown(units, true, frame.m[i][3]);
+        json_numbers(json, NULL, frame.m[i], 4);
+    }
+    json_close_array(json);
+    for (int i = 3; i < 6; i++) {
+        as_pose[i] = units_shown(units, false, as_pose[i]);
+    }
+    json_numbers(json, "zyx", (const double[]){as_pose[5], as_pose[4], as_pose[3]}, 3);
+}
+
 static void write_poses(json *json, const findings *findings)
 {
     const armtol_answer *answer = findings->answer;
@@ -41,7 +68,7 @@ static void write_poses(json *json, const findings *findings)
         for (size_t i = 0; i < answer->n_links; i++) {
             const armtol_joint moved = answer->links[i].joint;
             if (moved != ARMTOL_FIXED) {
-                json_number(json, NULL, units_shown(units, moved == ARMTOL_PRISMATIC, q[joint++]));
+                json_number(json, NULL, units_typed(units, moved == ARMTOL_PRISMATIC, q[joint++]));
             }
         }
         json_close_array(json);
@@ -49,6 +76,9 @@ static void write_poses(json *json, const findings *findings)
             point[i] = units_shown(units, true, point[i]);
         }
         json_numbers(json, "tool", point, 3);
+        if (findings->request->options->tool_pose) {
+            write_frame(json, findings, pose);
+        }
         json_close_object(json);
     }
     json_close_array(json);
@@ -103,10 +133,10 @@ static void write_parts(json *json, const findings *findings)
         const bool slides = answer->links[i].joint == ARMTOL_PRISMATIC;
         json_open_object(json, NULL);
         json_count(json, "link", i);
-        json_number(json, "distance", units_shown(units, true, part->distance));
-        json_number(json, "angle", units_shown(units, false, part->angle));
-        json_number(json, "motor", units_shown(units, slides, part->motor));
-        json_number(json, "drive", units_shown(units, slides, part->drive));
+        json_known(json, "distance", units_shown(units, true, part->distance));
+        json_known(json, "angle", units_shown(units, false, part->angle));
+        json_known(json, "motor", units_shown(units, slides, part->motor));
+        json_known(json, "drive", units_shown(units, slides, part->drive));
         json_close_object(json);
     }
     json_close_array(json);
@@ -120,12 +150,14 @@ static void write_components(json *json, const findings *findings)
         const armtol_predicted *component = &findings->answer->components[i];
         json_open_object(json, NULL);
         json_text(json, "name", armtol_component_name(i));
-        json_number(json, "accuracy", accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
+        json_known(json, "accuracy", accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
         json_number(json, "worst_case", findings_shown(findings, i, component->worst));
         json_number(json, "standard_deviation", findings_shown(findings, i, component->deviation));
         json_number(json, "remainder", findings_shown(findings, i, component->remainder));
+        json_number(json, "rounding", findings_shown(findings, i, component->rounding));
         json_number(json, "binds", component->binds);
         json_number(json, "load", findings_shown(findings, i, component->shift));
+        json_count(json, "pose", findings_pose(findings, i) + 1);
         json_close_object(json);
     }
     json_close_array(json);
@@ -207,9 +239,7 @@ static void write_verified(json *json, const findings *findings, size_t i)
     json_number(json, "remainder", findings_shown(findings, i, predicted->remainder));
     json_numbers(json, "quantiles", quantiles, ARMTOL_QUANTILES);
     json_number(json, "worst_drawn", findings_shown(findings, i, component->worst_drawn));
-    if (isnan(component->worst_drawn)) {
-        json_number(json, "worst_arm", (double)NAN);
-    } else {
+    if (!isnan(component->worst_drawn)) {
         json_count(json, "worst_arm", component->worst_arm);
     }
     json_number(json, "worst_corner", findings_shown(findings, i, component->worst_corner));
@@ -226,7 +256,9 @@ static void write_verification(json *json, const findings *findings)
     json_count(json, "seed", options->seed);
     json_count(json, "within", found->within);
     json_count(json, "beyond", found->beyond);
-    json_numbers(json, "share_95", (const double[]){found->share_low, found->share_high}, 2);
+    if (found->drawn > 0) {
+        json_numbers(json, "share_95", (const double[]){found->share_low, found->share_high}, 2);
+    }
     json_numbers(json, "probabilities", found->probabilities, ARMTOL_QUANTILES);
     json_open_array(json, "components");
     for (size_t i = 0; i < 6; i++) {

@@ -1,12 +1,39 @@
 #include "armtol/tell/output.h"
 
+#include "armtol/euler.h"
 #include "armtol/tell/laying.h"
 #include "armtol/tell/text_tables.h"
+#include "console/wrap.h"
 
 #include <math.h>
 #include <stdio.h>
 
 enum { MOST_POSES = 5 };
+
+/* Without the sign of a 0 that rounding left. */
+static double plain(double value)
+{
+    return fabs(value) < 5e-10 ? 0 : value;
+}
+
+/* Three rows of the matrix, and below them the angles. */
+static void print_frame(const findings *findings, size_t pose)
+{
+    const units *units = &findings->request->units;
+    armtol_transform frame;
+    double as_pose[6];
+    armtol_answer_frame(findings->answer, pose * findings->answer->n_loads, &frame);
+    armtol_transform_to_pose(&frame, &armtol_errata_none, as_pose);
+    for (int i = 0; i < 3; i++) {
+        printf("    % .9f  % .9f  % .9f  %14.6f\n", plain(frame.m[i][0]), plain(frame.m[i][1]), plain(frame.m[i][2]),
+               plain(units_shown(units, true, frame.m[i][3])));
+    }
+    printf("    zyx");
+    for (size_t i = 5; i >= 3; i--) {
+        printf(" %.6f", plain(units_shown(units, false, as_pose[i])));
+    }
+    printf("\n");
+}
 
 static void print_pose(const findings *findings, size_t pose)
 {
@@ -15,29 +42,47 @@ static void print_pose(const findings *findings, size_t pose)
     const double *q = findings->request->q + pose * answer->n_joints;
     double point[3];
     size_t joint = 0;
+    wrap wrap;
     armtol_answer_tool(answer, pose * answer->n_loads, point);
-    printf("  joints");
+    wrap_start(&wrap, stdout, 2, 4);
+    wrap_say(&wrap, findings->request->question.n_poses > 1 ? "pose %zu: joints" : "joints", pose + 1);
     for (size_t i = 0; i < answer->n_links; i++) {
         const armtol_joint moved = answer->links[i].joint;
         if (moved != ARMTOL_FIXED) {
-            printf(" %.6g", units_shown(units, moved == ARMTOL_PRISMATIC, q[joint++]));
+            const bool last = ++joint == answer->n_joints;
+            wrap_say(&wrap, "%.6g%s", units_shown(units, moved == ARMTOL_PRISMATIC, q[joint - 1]), last ? "," : "");
         }
     }
-    printf(", tool point");
+    wrap_say(&wrap, "tool point");
     for (int i = 0; i < 3; i++) {
-        printf(" %.6g", units_shown(units, true, point[i]));
+        wrap_say(&wrap, "%.6g", units_shown(units, true, point[i]));
     }
-    printf("\n");
+    wrap_end(&wrap);
+    if (findings->request->options->tool_pose) {
+        print_frame(findings, pose);
+    }
 }
 
 static void print_poses(const findings *findings)
 {
     const size_t n_poses = findings->request->question.n_poses;
-    for (size_t pose = 0; pose < n_poses && pose < MOST_POSES; pose++) {
+    const size_t most = findings->request->options->tool_pose ? n_poses : MOST_POSES;
+    for (size_t pose = 0; pose < n_poses && pose < most; pose++) {
         print_pose(findings, pose);
     }
-    if (n_poses > MOST_POSES) {
-        printf("  and %zu more poses\n", n_poses - MOST_POSES);
+    if (n_poses > most) {
+        printf("  and %zu more poses\n", n_poses - most);
+    }
+}
+
+/* What an answer holds for. */
+static void say_where(const findings *findings, wrap *wrap)
+{
+    const size_t n_poses = findings->request->question.n_poses;
+    if (n_poses == 1) {
+        wrap_say(wrap, "in this pose; elsewhere is unknown.");
+    } else {
+        wrap_say(wrap, "in these %zu poses; elsewhere is unknown.", n_poses);
     }
 }
 
@@ -45,25 +90,24 @@ static void print_method(const findings *findings)
 {
     const request *request = findings->request;
     const cli_options *options = request->options;
+    wrap wrap;
+    wrap_start(&wrap, stdout, 0, 0);
     if (request->tolerances != NULL) {
-        printf("The tolerances of %s, and the accuracy that they give.\n", options->tolerances);
-        return;
+        wrap_say(&wrap, "The tolerances of %s, and the accuracy that they give", options->tolerances);
+    } else if (options->method == ARMTOL_METHOD_RSS) {
+        wrap_say(&wrap,
+                 "The largest tolerances with which %g standard deviations of every component are within its accuracy",
+                 options->sigma);
+    } else if (options->method == ARMTOL_METHOD_SPHERE) {
+        wrap_say(&wrap, "Tolerances by the bounds of 1987, corrected: distance %.6g, angle %.6g, delta %.6g,",
+                 findings_shown(findings, 0, findings->answer->bounds.distance),
+                 findings_shown(findings, 3, findings->answer->bounds.angle),
+                 findings_shown(findings, 0, findings->answer->delta));
+    } else {
+        wrap_say(&wrap, "The largest tolerances that guarantee the accuracy");
     }
-    switch (options->method) {
-    case ARMTOL_METHOD_RSS:
-        printf("The largest tolerances with which %g standard deviations of every component are within its accuracy.\n",
-               options->sigma);
-        break;
-    case ARMTOL_METHOD_SPHERE:
-        printf("Tolerances by the bounds of 1987, corrected: distance %.6g, angle %.6g, delta %.6g.\n",
-               findings_shown(findings, 0, findings->answer->bounds.distance),
-               findings_shown(findings, 3, findings->answer->bounds.angle),
-               findings_shown(findings, 0, findings->answer->delta));
-        break;
-    default:
-        printf("The largest tolerances that guarantee the accuracy.\n");
-        break;
-    }
+    say_where(findings, &wrap);
+    wrap_end(&wrap);
 }
 
 /* What of Eq. (4.20) is in the errors, or is not. */
@@ -78,7 +122,8 @@ static void print_drives(const findings *findings)
         return;
     }
     if (request->question.drives_apart) {
-        printf("The drives are NOT in these errors (--wish motors): the table of parts says whether they are good enough.\n");
+        printf("The drives are NOT in these errors (--wish motors): the table of parts says\n"
+               "whether they are good enough.\n");
         return;
     }
     printf("The drives of %zu of %zu joints are known, and are in all errors.\n", known, findings->answer->n_joints);
@@ -90,22 +135,34 @@ static void print_unbounded(const findings *findings)
     const char *what = findings->request->tolerances != NULL ? "Without a bound:"
                                                              : "Not seen here, and so without a bound:";
     const armtol_answer *answer = findings->answer;
-    bool any = false;
+    size_t left = 0;
+    wrap wrap;
     for (size_t k = 0; k < answer->n_columns; k++) {
-        if (isinf(findings->answer->tolerances[k])) {
+        left += isinf(answer->tolerances[k]) != 0;
+    }
+    if (left == 0) {
+        return;
+    }
+    printf("\n");
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "%s", what);
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (isinf(answer->tolerances[k])) {
             const parameter_row row = findings_parameter(findings, k);
-            printf("%s%s %s of link %zu", any ? "" : "\n", any ? "," : what, row.parameter, row.link);
-            any = true;
+            wrap_say(&wrap, "%s of link %zu%s", row.parameter, row.link, --left > 0 ? "," : "");
         }
     }
-    printf(any ? "\n" : "");
+    wrap_end(&wrap);
 }
 
 static void print_heading(const findings *findings)
 {
     const request *request = findings->request;
     const units *units = &request->units;
-    printf("%s, in %s and %s\n", request->question.arm->title, units_name(units, true), units_name(units, false));
+    wrap wrap;
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "%s, in %s and %s", request->question.arm->title, units_name(units, true), units_name(units, false));
+    wrap_end(&wrap);
     laying_print(request->laying, units, "");
     print_poses(findings);
     print_method(findings);

@@ -1,6 +1,7 @@
 #include "armtol/tell/text_tables.h"
 
 #include "console/table.h"
+#include "console/wrap.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -50,6 +51,12 @@ bool text_parameters(const findings *findings)
     return table_finish(&table, "Parameters", NULL, FORMAT_TEXT, stdout);
 }
 
+/* What is equal on paper is: either number may have come from degrees or a sum. */
+static bool is_enough(const armtol_part *part)
+{
+    return part->drive <= part->motor * (1 + 1e-12);
+}
+
 static void add_part(const findings *findings, size_t link, table *table)
 {
     const units *units = &findings->request->units;
@@ -62,7 +69,7 @@ static void add_part(const findings *findings, size_t link, table *table)
     add_number(table, units_shown(units, slides, part->motor));
     table_add_cells(table, "%s", joint == ARMTOL_FIXED ? "-" : units_name(units, slides));
     add_number(table, units_shown(units, slides, part->drive));
-    table_add_cells(table, "%s", isnan(part->drive) ? "-" : part->drive <= part->motor ? "yes" : "NO");
+    table_add_cells(table, "%s", isnan(part->drive) ? "-" : is_enough(part) ? "yes" : "NO");
 }
 
 bool text_parts(const findings *findings)
@@ -100,7 +107,55 @@ static void add_component(const findings *findings, size_t i, table *table)
     }
     add_number(table, findings_shown(findings, i, component->remainder));
     table_add_cells(table, "%s", units_name(&request->units, i < 3));
+    if (request->question.n_poses > 1) {
+        table_add_cells(table, "%zu", findings_pose(findings, i) + 1);
+    }
     table_add_cells(table, component->binds > 5e-4 ? "%.1f %%" : "-", 100 * component->binds);
+}
+
+/* Accuracies that double precision cannot tell from 0. */
+static void print_below_rounding(const findings *findings)
+{
+    const double *accuracy = findings->request->question.accuracy;
+    for (size_t i = 0; i < 6 && accuracy != NULL; i++) {
+        const double rounding = findings->answer->components[i].rounding;
+        if (accuracy[i] < rounding) {
+            wrap wrap;
+            printf("\n");
+            wrap_start(&wrap, stdout, 0, 0);
+            wrap_say(&wrap, "%s: the accuracy is less than the %.2g %s that rounding can make of an error of this arm: "
+                            "numbers of double precision cannot tell whether it is kept.",
+                     armtol_component_name(i), findings_shown(findings, i, rounding),
+                     units_name(&findings->request->units, i < 3));
+            wrap_end(&wrap);
+        }
+    }
+}
+
+/* An error is even within its tolerance, and few of them, or one that is larger than all others, do not make a bell. */
+static void print_above_worst(const findings *findings)
+{
+    const double sigma = findings->request->options->sigma;
+    size_t n = 0;
+    const char *names[6];
+    for (size_t i = 0; i < 6; i++) {
+        const armtol_predicted *component = &findings->answer->components[i];
+        if (isfinite(component->worst) && component->shift + sigma * component->deviation > component->worst) {
+            names[n++] = armtol_component_name(i);
+        }
+    }
+    if (n > 0) {
+        wrap wrap;
+        printf("\n");
+        wrap_start(&wrap, stdout, 0, 0);
+        for (size_t i = 0; i < n; i++) {
+            wrap_say(&wrap, "%s%s", names[i], i + 1 < n ? "," : ":");
+        }
+        wrap_say(&wrap, "%g sigma is more than the worst case. An error that is even within its tolerance has "
+                        "extremes, and is not normal: where one or two such errors make most of a component, it "
+                        "ends before %g standard deviations.", sigma, sigma);
+        wrap_end(&wrap);
+    }
 }
 
 bool text_components(const findings *findings)
@@ -109,16 +164,21 @@ bool text_components(const findings *findings)
     const bool optimum = request->tolerances == NULL && request->options->method != ARMTOL_METHOD_SPHERE;
     const bool along_tool = request->options->frame == ARMTOL_TOOL_FRAME;
     table table = TABLE_EMPTY;
-    table_add(&table, "component\taccuracy\tworst case\t%g sigma%s\tremainder\tunit%s", request->options->sigma,
+    table_add(&table, "component\taccuracy\tworst case\t%g sigma%s\tremainder\tunit%s%s", request->options->sigma,
               findings->answer->loaded ? "\tload" : "",
-              optimum ? "\theld down by it" : "");
+              request->question.n_poses > 1 ? "\tpose" : "", optimum ? "\theld down by it" : "");
     for (size_t i = 0; i < 6; i++) {
         add_component(findings, i, &table);
     }
-    return table_finish(&table,
+    const bool fine = table_finish(&table,
                         along_tool ? "Error of the tool, along its own axes"
                                    : "Error of the tool, along the base's axes",
                         NULL, FORMAT_TEXT, stdout);
+    if (fine) {
+        print_above_worst(findings);
+        print_below_rounding(findings);
+    }
+    return fine;
 }
 
 static void add_verified(const findings *findings, size_t i, table *table)
@@ -142,9 +202,13 @@ static void print_share(const findings *findings)
     if (findings->request->question.accuracy == NULL || found->drawn == 0) {
         return;
     }
-    printf("\n%llu of %llu arms are within the accuracy: %.4f %% (95 %% sure: %.4f to %.4f %%)\n",
-           (unsigned long long)found->within, (unsigned long long)found->drawn, 100 * (double)found->within / drawn,
-           100 * found->share_low, 100 * found->share_high);
+    wrap wrap;
+    printf("\n");
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "%llu of %llu arms are within the accuracy: %.4f %% (95 %% sure: %.4f to %.4f %%)",
+             (unsigned long long)found->within, (unsigned long long)found->drawn, 100 * (double)found->within / drawn,
+             100 * found->share_low, 100 * found->share_high);
+    wrap_end(&wrap);
     printf("%llu are outside by more than the remainder\n", (unsigned long long)found->beyond);
 }
 

@@ -53,10 +53,14 @@ static void visit_corners(const box *box, const double accuracy[6], set_result *
 static bool run_set(const analysis *drawn, const analysis *made, const yield_options *options,
                     const drawn_arm *arm, set_result *result)
 {
-    double *block = calloc(arm->n_columns, 2 * sizeof *block);
+    const size_t n = arm->n_columns;
+    double *block = calloc(n, 8 * sizeof *block);
     bool fine = block != NULL;
     if (fine) {
-        const box box = {arm, drawn->matrix, block, block + arm->n_columns};
+        double *matrix = block + 2 * n;
+        const box box = {arm, matrix, block, block + n};
+        memcpy(matrix, drawn->matrix, 6 * n * sizeof *matrix);
+        armtol_tool_matrix_clear(arm->links, arm->n_links, &armtol_tool_origin, matrix, n);
         column_tolerances(made, options->reading, box.tolerances);
         result->length = made->shares.distance;
         result->angle = made->shares.angle;

@@ -23,6 +23,9 @@ static void predict_component(const armtol_answer *answer, size_t pose, size_t i
     if (worst > component->worst) {
         component->worst_pose = pose;
     }
+    if (deviation > component->deviation) {
+        component->deviation_pose = pose;
+    }
     component->worst = fmax(component->worst, worst);
     component->shift = fmax(component->shift, shift);
     component->deviation = fmax(component->deviation, deviation);
@@ -41,9 +44,13 @@ static void predict(armtol_answer *answer, double reach[])
 {
     for (size_t pose = 0; pose < answer->n_poses; pose++) {
         reach_of(answer, pose, reach);
-        armtol_remainder(armtol_answer_matrix(answer, pose), answer->n_columns, reach, answer->remainders + 6 * pose);
+        double *remainder = answer->remainders + 6 * pose, rounding[6];
+        armtol_remainder(armtol_answer_matrix(answer, pose), answer->n_columns, reach, remainder);
+        armtol_rounding(armtol_answer_links(answer, pose), answer->n_links, &answer->tool, reach, rounding);
         for (size_t i = 0; i < 6; i++) {
+            remainder[i] += rounding[i];
             predict_component(answer, pose, i, &answer->components[i]);
+            answer->components[i].rounding = fmax(answer->components[i].rounding, rounding[i]);
         }
     }
 }

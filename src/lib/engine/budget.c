@@ -28,10 +28,17 @@ static size_t load_row_of(const armtol_answer *answer, size_t column)
     return ARMTOL_ROLE_COUNT * answer->columns[column].link + ARMTOL_LOAD;
 }
 
+/* Where the error is that is told. */
+static size_t pose_of(const armtol_answer *answer, size_t i)
+{
+    const armtol_predicted *component = &answer->components[i];
+    return answer->method == ARMTOL_METHOD_RSS ? component->deviation_pose : component->worst_pose;
+}
+
 /* What a column's tolerance puts into a component: a magnitude, or its square. */
 static double contribution(const armtol_answer *answer, size_t column, size_t i)
 {
-    const size_t pose = answer->components[i].worst_pose;
+    const size_t pose = pose_of(answer, i);
     const double *matrix = armtol_answer_matrix(answer, pose);
     const double error = fabs(matrix[i * answer->n_columns + column]) * armtol_answer_bounded(answer, pose)[column];
     return answer->method == ARMTOL_METHOD_RSS ? error * error : error;
@@ -40,7 +47,7 @@ static double contribution(const armtol_answer *answer, size_t column, size_t i)
 /* What its shift does, positive where it adds to the whole. */
 static double contribution_of_load(const armtol_answer *answer, size_t column, size_t i)
 {
-    const size_t pose = answer->components[i].worst_pose;
+    const size_t pose = pose_of(answer, i);
     const double part = armtol_answer_matrix(answer, pose)[i * answer->n_columns + column] *
                         armtol_answer_shifts(answer, pose)[column];
     return armtol_answer_shift(answer, pose, i) < 0 ? -part : part;
@@ -59,7 +66,7 @@ typedef struct terms {
 static terms terms_of(const armtol_answer *answer, size_t i)
 {
     const bool unbounded = isinf(answer->components[i].worst);
-    terms terms = {.load = fabs(armtol_answer_shift(answer, answer->components[i].worst_pose, i))};
+    terms terms = {.load = fabs(armtol_answer_shift(answer, pose_of(answer, i), i))};
     for (size_t k = 0; k < answer->n_columns; k++) {
         terms.parts += contribution(answer, k, i);
     }

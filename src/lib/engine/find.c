@@ -5,7 +5,6 @@
 #include "armtol/sphere.h"
 #include "lib/engine/check.h"
 #include "lib/engine/parts.h"
-#include "lib/optimum/row_rounding.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -104,17 +103,12 @@ static void pack_columns(rows *rows, const armtol_answer *answer, const armtol_q
     }
 }
 
-/* What rounding left of a 0 in the whole row is one in what is left of the row too, whose largest element may be less. */
 static void pack_row(rows *rows, const armtol_answer *answer, size_t row)
 {
     const double *whole = answer->matrices + row * answer->n_columns;
     double *packed = rows->matrix + row * rows->n_free;
     for (size_t j = 0; j < rows->n_free; j++) {
         packed[j] = whole[rows->free_columns[j]];
-    }
-    const double least = row_rounding(whole, answer->n_columns), least_packed = row_rounding(packed, rows->n_free);
-    for (size_t j = 0; j < rows->n_free; j++) {
-        packed[j] = fabs(packed[j]) <= least && fabs(packed[j]) > least_packed ? 0 : packed[j];
     }
 }
 
@@ -276,9 +270,13 @@ static bool let_go(rows *rows, armtol_answer *answer, const armtol_question *que
 static void note_held(armtol_answer *answer, const armtol_question *question, const rows *rows)
 {
     const double whole = free_weight(rows);
+    double most[6] = {0};
     size_t extra = rows->n_rows;
     for (size_t i = 0; i < rows->n_rows; i++) {
-        answer->components[i % 6].binds += rows->multipliers[i];
+        armtol_predicted *component = &answer->components[i % 6];
+        component->binds += rows->multipliers[i];
+        component->binds_pose = rows->multipliers[i] > most[i % 6] ? i / 6 : component->binds_pose;
+        most[i % 6] = fmax(most[i % 6], rows->multipliers[i]);
     }
     for (size_t j = 0; j < rows->n_free; j++) {
         const size_t k = rows->free_columns[j];

@@ -30,27 +30,51 @@ static double or_exact(double tolerance)
     return isnan(tolerance) ? 0 : tolerance;
 }
 
+/*
+ * The distance between the link's axis and the next: of parallel axes it is |a|, so that a d which is no error source is
+ * none of it. The axis of a slide is a direction without a place, and has no distance.
+ */
+static double distance_of(const armtol_link *link, const link_tolerances *tolerances)
+{
+    const double *of = tolerances->of;
+    const bool parallel = link->kind == ARMTOL_PPR || link->kind == ARMTOL_PPP;
+    if (link->joint == ARMTOL_PRISMATIC) {
+        return (double)NAN;
+    }
+    return parallel ? of[ARMTOL_A]
+                    : armtol_distance_tolerance(link->a, link->d, or_exact(of[ARMTOL_A]), or_exact(of[ARMTOL_D]));
+}
+
 static armtol_part part_of(const armtol_link *link, const link_tolerances *tolerances)
 {
     const double *of = tolerances->of;
     const bool turns = link->joint == ARMTOL_REVOLUTE, slides = link->joint == ARMTOL_PRISMATIC;
     const double made_theta = turns ? (double)NAN : of[ARMTOL_THETA];
-    const double made_d = slides ? 0 : or_exact(of[ARMTOL_D]);
     return (armtol_part){
-        .distance = armtol_distance_tolerance(link->a, link->d, or_exact(of[ARMTOL_A]), made_d),
+        .distance = distance_of(link, tolerances),
         .angle = fmin(made_theta, fmin(of[ARMTOL_ALPHA], of[ARMTOL_BETA])), /* fmin passes nan over */
         .motor = turns ? of[ARMTOL_THETA] : slides ? of[ARMTOL_D] : (double)NAN,
     };
 }
 
+/* Eq. (4.32) in every pose, since the d of a slide changes: the strictest. */
+static double strictest_distance(const armtol_answer *answer, size_t i, double share)
+{
+    double strictest = (double)INFINITY;
+    for (size_t pose = 0; pose < answer->n_poses; pose++) {
+        const armtol_link *link = &armtol_answer_links(answer, pose)[i];
+        strictest = fmin(strictest, armtol_distance_tolerance(link->a, link->d, share, share));
+    }
+    return strictest;
+}
+
 /* As the programs of 1987 have it, corrected. */
-static armtol_part part_of_sphere(const armtol_link *link, const link_tolerances *tolerances)
+static armtol_part part_of_sphere(const armtol_answer *answer, size_t i, const link_tolerances *tolerances)
 {
     const double *of = tolerances->of;
+    const armtol_link *link = &answer->links[i];
     const armtol_shares shares = {fmin(of[ARMTOL_A], of[ARMTOL_D]), of[ARMTOL_ALPHA]};
-    const double distance = isinf(shares.distance)
-                                ? shares.distance
-                                : armtol_machining_distance(link, shares.distance, &armtol_errata_none);
+    const double distance = strictest_distance(answer, i, shares.distance);
     return (armtol_part){
         .distance = distance,
         .angle = shares.angle,
@@ -65,7 +89,7 @@ void answer_make_parts(armtol_answer *answer, const armtol_question *question)
         const armtol_link *link = &answer->links[i];
         const link_tolerances of = of_link(answer, i);
         armtol_part *part = &answer->parts[i];
-        *part = sphere ? part_of_sphere(link, &of) : part_of(link, &of);
+        *part = sphere ? part_of_sphere(answer, i, &of) : part_of(link, &of);
         part->drive = answer_drive_error(answer, question, i);
     }
 }

@@ -27,7 +27,10 @@ static armtol_status place(armtol_answer *answer, const armtol_question *questio
     if (status != ARMTOL_OK) {
         return status;
     }
-    return armtol_tool_matrix(links, answer->n_links, &answer->tool, answer->matrices + pose * 6 * n, n);
+    double *matrix = answer->matrices + pose * 6 * n;
+    const armtol_status made = armtol_tool_matrix(links, answer->n_links, &answer->tool, matrix, n);
+    armtol_tool_matrix_clear(links, answer->n_links, &answer->tool, matrix, n);
+    return made;
 }
 
 armtol_fault answer_place(armtol_answer *answer, const armtol_question *question)
@@ -82,14 +85,23 @@ double armtol_answer_shift(const armtol_answer *answer, size_t pose, size_t comp
     return sum;
 }
 
-void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3])
+void armtol_answer_frame(const armtol_answer *answer, size_t pose, armtol_transform *frame)
 {
     const armtol_transform last =
         armtol_chain_transform(armtol_answer_links(answer, pose), answer->n_links, &armtol_errata_none);
+    *frame = last;
     for (int i = 0; i < 3; i++) {
-        point[i] = last.m[i][3];
         for (int j = 0; j < 3; j++) {
-            point[i] += last.m[i][j] * answer->tool.offset[j];
+            frame->m[i][3] += last.m[i][j] * answer->tool.offset[j];
         }
+    }
+}
+
+void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3])
+{
+    armtol_transform frame;
+    armtol_answer_frame(answer, pose, &frame);
+    for (int i = 0; i < 3; i++) {
+        point[i] = frame.m[i][3];
     }
 }

@@ -1,12 +1,12 @@
 #include "lib/engine/tally.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdbool.h>
 #include <string.h>
 
 void tally_start(tally *tally)
 {
-    memset(tally, 0, sizeof *tally);
     for (int i = 0; i < 6; i++) {
         tally->worst[i] = -1;
     }
@@ -43,14 +43,36 @@ static void find_worst(tally *tally, size_t i, uint64_t first, size_t count, con
     }
 }
 
+/* What two doubles >= 0 share that are in one bin: they are in the order of such bits, nan above all. */
+static int64_t key_of(double magnitude)
+{
+    uint64_t bits;
+    memcpy(&bits, &magnitude, sizeof bits);
+    return (int64_t)(bits >> (DBL_MANT_DIG - 1 - TALLY_BITS));
+}
+
+static int64_t first_key(double range)
+{
+    return key_of(range) - (TALLY_BINS - 1);
+}
+
+/* The least magnitude above all of that key. */
+static double end_of(int64_t key)
+{
+    const uint64_t bits = (uint64_t)(key + 1) << (DBL_MANT_DIG - 1 - TALLY_BITS);
+    double end;
+    memcpy(&end, &bits, sizeof end);
+    return end;
+}
+
 /* The last bin takes what rounding took beyond the range, and all where the range is 0. */
 static void fill_bins(uint64_t bins[TALLY_BINS], double range, size_t count, const double magnitudes[])
 {
-    const double scale = TALLY_BINS / range, last = TALLY_BINS - 1;
-    int places[TALLY_MOST];
+    const int64_t first = first_key(range), last = TALLY_BINS - 1;
+    int32_t places[TALLY_MOST];
     for (size_t j = 0; j < count; j++) {
-        const double place = magnitudes[j] * scale;
-        places[j] = (int)(place < last ? place : last);
+        const int64_t place = key_of(magnitudes[j]) - first;
+        places[j] = (int32_t)(place < 0 ? 0 : place > last ? last : place);
     }
     for (size_t j = 0; j < count; j++) {
         bins[places[j]]++;
@@ -121,7 +143,7 @@ double tally_quantile(const tally *tally, const tally_limits *limits, size_t com
     for (size_t bin = 0; bin < TALLY_BINS - 1; bin++) {
         arms += tally->bins[component][bin];
         if (arms >= share) {
-            return fmin((double)(bin + 1) * (limits->range[component] / TALLY_BINS), worst);
+            return fmin(end_of(first_key(limits->range[component]) + (int64_t)bin), worst);
         }
     }
     return worst;

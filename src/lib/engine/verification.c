@@ -4,6 +4,7 @@
 #include "lib/engine/check.h"
 #include "lib/engine/corner_search.h"
 #include "lib/engine/draw.h"
+#include "lib/engine/parts.h"
 
 #include <float.h>
 #include <math.h>
@@ -27,16 +28,34 @@ armtol_fault verification_check(const armtol_answer *answer)
     return fault_of(i < 6 ? ARMTOL_UNBOUNDED : ARMTOL_OK, ARMTOL_ABOUT_ACCURACY, i);
 }
 
-/* No arm's magnitude is larger, nor does a rotation vector turn by more than half a turn. */
-static double range_of(const armtol_predicted *predicted, bool linear)
+/* The length of an arm's chain, stretched and built: neither it nor the arm as meant can reach farther. */
+static double reach_of(const armtol_answer *answer)
 {
-    return fmin(predicted->worst + predicted->remainder, linear ? DBL_MAX : 3.14159265358979323846);
+    double reach = answer_lever(answer);
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        double most = 0;
+        for (size_t pose = 0; pose < answer->n_poses; pose++) {
+            most = fmax(most, armtol_answer_bounded(answer, pose)[k] + fabs(armtol_answer_shifts(answer, pose)[k]));
+        }
+        reach += armtol_parameter_is_length(answer->columns[k].parameter) ? most : 0;
+    }
+    return fmin(2 * reach, DBL_MAX);
+}
+
+/*
+ * No arm's magnitude is larger; nor is it more than twice what the arm reaches, or for a rotation vector half a turn: where
+ * the remainder is large, or infinite.
+ */
+static double range_of(const armtol_answer *answer, size_t i)
+{
+    const armtol_predicted *predicted = &answer->components[i];
+    return fmin(predicted->worst + predicted->remainder, i < 3 ? reach_of(answer) : 3.14159265358979323846);
 }
 
 void verification_limits(const armtol_answer *answer, tally_limits *limits)
 {
     for (size_t i = 0; i < 6; i++) {
-        limits->range[i] = range_of(&answer->components[i], i < 3);
+        limits->range[i] = range_of(answer, i);
         limits->accuracy[i] = answer->accuracy[i];
         limits->beyond[i] = answer->accuracy[i] + answer->components[i].remainder;
     }
@@ -104,7 +123,7 @@ static armtol_fault verify(const armtol_answer *answer, const armtol_draw *draw,
         return unbounded;
     }
     double *errors = calloc(answer->n_columns, sizeof *errors);
-    tally *tally = malloc(sizeof *tally);
+    tally *tally = calloc(1, sizeof *tally);
     const armtol_status status =
         errors != NULL && tally != NULL ? search_and_draw(answer, draw, errors, tally, found) : ARMTOL_NO_MEMORY;
     free(errors);

@@ -1,7 +1,5 @@
 #include "lib/optimum/rows.h"
 
-#include "lib/optimum/row_rounding.h"
-
 #include <math.h>
 
 bool optimum_in_range(double value)
@@ -12,10 +10,9 @@ bool optimum_in_range(double value)
 /* Note which columns the row bounds, and raise the most that a column takes of a limit. */
 static void note_row(const double row[], size_t n, double limit, double bounded[], double most[])
 {
-    const double rounding = row_rounding(row, n);
     const double inverse = 1 / limit;
     for (size_t k = 0; k < n; k++) {
-        bounded[k] = fabs(row[k]) > rounding ? 1 : bounded[k];
+        bounded[k] = row[k] != 0 ? 1 : bounded[k];
         most[k] = fmax(most[k], fabs(row[k]) * inverse);
     }
 }

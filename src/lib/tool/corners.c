@@ -1,6 +1,5 @@
 #include "armtol/corners.h"
 
-#include "lib/optimum/row_rounding.h"
 #include "lib/pi.h"
 
 #include <float.h>
@@ -8,19 +7,17 @@
 #include <stdbool.h>
 
 /* What a parameter moves the component by at the most. */
-static double most_of(double element, double rounding, double tolerance)
+static double most_of(double element, double tolerance)
 {
-    const bool moves = fabs(element) > rounding || isfinite(tolerance);
-    return moves ? fabs(element) * tolerance : 0;
+    return element != 0 ? fabs(element) * tolerance : 0;
 }
 
 double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[])
 {
     const double *elements = matrix + row * n_columns;
-    const double rounding = row_rounding(elements, n_columns);
     double sum = 0;
     for (size_t k = 0; k < n_columns; k++) {
-        sum += most_of(elements[k], rounding, tolerances[k]);
+        sum += most_of(elements[k], tolerances[k]);
     }
     return sum;
 }
@@ -28,10 +25,9 @@ double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, c
 double armtol_rss_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[])
 {
     const double *elements = matrix + row * n_columns;
-    const double rounding = row_rounding(elements, n_columns);
     double sum = 0;
     for (size_t k = 0; k < n_columns; k++) {
-        const double part = most_of(elements[k], rounding, tolerances[k]);
+        const double part = most_of(elements[k], tolerances[k]);
         sum += part * part;
     }
     return sqrt(sum);
@@ -41,9 +37,8 @@ void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign
                    double parameter_errors[])
 {
     const double *elements = matrix + row * n_columns;
-    const double rounding = row_rounding(elements, n_columns);
     for (size_t k = 0; k < n_columns; k++) {
-        parameter_errors[k] = fabs(elements[k]) > rounding ? sign * copysign(tolerances[k], elements[k]) : 0;
+        parameter_errors[k] = elements[k] != 0 ? sign * copysign(tolerances[k], elements[k]) : 0;
     }
 }
 

@@ -5,11 +5,11 @@
 #include "armtol/transform.h"
 #include "lib/report/columns.h"
 #include "lib/report/trigonometry.h"
+#include "lib/tool/built.h"
 
 #include <math.h>
 
-/* The link with errors of the parameters that its kind counts; *count is their number. */
-static armtol_link built_link(const armtol_link *link, const double parameter_errors[], size_t *count)
+armtol_link built_link(const armtol_link *link, const double parameter_errors[], size_t *count)
 {
     armtol_link built = *link;
     const armtol_parameter *parameters = armtol_kind_parameters(link->kind, count);
@@ -108,6 +108,19 @@ static void express(const armtol_transform *frame, double vector[3])
     }
 }
 
+void built_error(const armtol_transform *built, const armtol_transform *meant, const armtol_tool_point *tool,
+                 double error[6])
+{
+    double r[3][3];
+    turn(built, meant, r);
+    displacement(built, meant, tool->offset, error);
+    rotation_vector(r, error + 3);
+    if (tool->frame == ARMTOL_TOOL_FRAME) {
+        express(meant, error);
+        express(meant, error + 3);
+    }
+}
+
 armtol_status armtol_tool_error(const armtol_link links[], size_t n_links, const double parameter_errors[],
                                 size_t n_columns, const armtol_tool_point *tool, double error[6])
 {
@@ -117,13 +130,6 @@ armtol_status armtol_tool_error(const armtol_link links[], size_t n_links, const
     }
     const armtol_transform meant = armtol_chain_transform(links, n_links, &armtol_errata_none);
     const armtol_transform built = built_chain(links, n_links, parameter_errors);
-    double r[3][3];
-    turn(&built, &meant, r);
-    displacement(&built, &meant, tool->offset, error);
-    rotation_vector(r, error + 3);
-    if (tool->frame == ARMTOL_TOOL_FRAME) {
-        express(&meant, error);
-        express(&meant, error + 3);
-    }
+    built_error(&built, &meant, tool, error);
     return ARMTOL_OK;
 }

@@ -78,7 +78,8 @@ static void test_one_uniform_error(void)
     TEST_ASSERT_TRUE(outcome.found.beyond == DRAWS - outcome.found.within); /* a single turn has no remainder */
     check_same(0.004, outcome.predicted[5].worst, "prediction");
     check_within(1e-18, 0.004 / sqrt(3), outcome.predicted[5].deviation, "standard deviation");
-    check_same(0, outcome.predicted[5].remainder, "remainder");
+    check_same(outcome.predicted[5].rounding, outcome.predicted[5].remainder, "remainder: nothing but rounding");
+    TEST_ASSERT_TRUE(outcome.predicted[5].rounding > 0 && outcome.predicted[5].rounding < 1e-12);
     check_within(1e-16, 0.004, turn->worst_corner, "worst corner");
     TEST_ASSERT_TRUE(turn->worst_drawn < 0.004 && turn->worst_drawn > 0.004 * (1 - 20.0 / DRAWS));
     for (int i = 0; i < ARMTOL_QUANTILES; i++) {
@@ -506,6 +507,24 @@ static void test_the_interval_of_a_share(void)
     check_same(1, nothing.high, "of none, high");
 }
 
+/* Less than rounding leaves of an error: no arm may count as outside by more than the remainder for that. */
+static void test_at_the_finest_accuracies_rounding_is_in_the_remainder(void)
+{
+    static const double q[12] = {0.1, -0.7, 0.5, 1.2, -0.9, 0.8, 0.3, 0.9, -1.1, 0.2, 0.4, -2};
+    uint64_t outside = 0;
+    for (size_t i = 0; i < armtol_arm_count(); i++) {
+        const armtol_arm *arm = armtol_arm_at(i);
+        static const double accuracy[6] = {1e-15, 1e-15, 1e-15, 1e-18, 1e-18, 1e-18};
+        const armtol_question fine = {.arm = arm, .q = q, .n_poses = 1, .accuracy = accuracy};
+        const armtol_draw draw = {.samples = 5000, .seed = 3};
+        const outcome outcome = verify(&fine, &draw);
+        outside += outcome.found.drawn - outcome.found.within;
+        TEST_ASSERT_TRUE_MESSAGE(outcome.found.beyond == 0, arm->name);
+        TEST_ASSERT_TRUE(outcome.predicted[0].rounding > accuracy[0] && outcome.predicted[3].rounding > accuracy[3]);
+    }
+    TEST_ASSERT_TRUE(outside > 1000); /* by rounding, which is what the test is about */
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -520,6 +539,7 @@ int main(void)
     RUN_TEST(test_infinite_tolerances_are_not_drawn);
     RUN_TEST(test_a_component_without_a_bound_has_no_accuracy_to_keep_to);
     RUN_TEST(test_without_tolerances_nothing_moves);
+    RUN_TEST(test_at_the_finest_accuracies_rounding_is_in_the_remainder);
     RUN_TEST(test_where_the_remainder_is_not_bounded);
     RUN_TEST(test_no_samples);
     RUN_TEST(test_the_number_of_threads_changes_nothing);

@@ -98,11 +98,7 @@ static bool is_bounded(const problem *problem, size_t k)
 {
     for (size_t i = 0; i < problem->n_rows; i++) {
         const double *row = problem->matrix + i * problem->n_columns;
-        double largest = 0;
-        for (size_t j = 0; j < problem->n_columns; j++) {
-            largest = fmax(largest, fabs(row[j]));
-        }
-        if (!isinf(problem->limits[i]) && fabs(row[k]) > 1e-12 * largest) {
+        if (!isinf(problem->limits[i]) && row[k] != 0) {
             return true;
         }
     }
@@ -428,22 +424,25 @@ static void test_nothing_is_bounded_where_no_row_bounds(void)
     check_all_infinite(2, "no columns");
 }
 
-/* The third column is rounding in the bounded row and counts in the free one alone. */
-static void test_what_rounding_leaves_of_a_zero_bounds_nothing(void)
+/* However small an element is: what is rounding and what is not is known to whoever made the matrix. */
+static void test_only_a_zero_bounds_nothing(void)
 {
-    static const double matrix[6] = {1000, 1, 9e-10, 1, 1, 1};
+    static const double matrix[6] = {1000, 1, 0, 1, 1, 1};
     set(&given, ARMTOL_WORST_CASE, 2, 3, matrix);
     given.limits[1] = INFINITY;
-    solve(&given, &found, "rounding");
+    solve(&given, &found, "zero");
     TEST_ASSERT_TRUE(isinf(found.tolerances[2]));
     check_within(1e-15, 1.0 / 2000, found.tolerances[0], "t1");
     check_within(1e-12, 0.5, found.tolerances[1], "t2");
-    given.matrix[2] = 1.1e-9;
-    solve(&given, &found, "more than rounding");
-    check_within(1e-3, 1 / (3 * 1.1e-9), found.tolerances[2], "t3");
-    given.matrix[2] = 9e-10;
+    for (double element = 1e-3; element > 1e-20; element /= 1000) {
+        given.matrix[2] = element;
+        solve(&given, &found, "small");
+        check_within(1e-9 / element, 1 / (3 * element), found.tolerances[2], "t3, %g", element);
+        check_within(1e-12, 1.0 / 3000, found.tolerances[0], "t1, %g", element);
+    }
+    given.matrix[2] = 0;
     given.limits[1] = 1e6;
-    solve(&given, &found, "rounding in one row, not in another");
+    solve(&given, &found, "zero in one row, not in another");
     check_within(1e-3 / 3e-9, 1e6, found.tolerances[2], "t3, bounded by the second row");
 }
 
@@ -784,7 +783,7 @@ int main(void)
     RUN_TEST(test_equal_columns_get_equal_tolerances);
     RUN_TEST(test_rows_that_bound_nothing_change_nothing);
     RUN_TEST(test_nothing_is_bounded_where_no_row_bounds);
-    RUN_TEST(test_what_rounding_leaves_of_a_zero_bounds_nothing);
+    RUN_TEST(test_only_a_zero_bounds_nothing);
     RUN_TEST(test_the_optimum_of_random_problems);
     RUN_TEST(test_the_optimum_of_large_random_problems);
     RUN_TEST(test_the_optimum_where_long_steps_do_not_get_there);
