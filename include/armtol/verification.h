@@ -68,7 +68,7 @@ typedef struct armtol_verification {
  *    That is no error.
  * 3) Threads are POSIX threads. They are begun and ended within the call, all signals blocked: signals come to the
  *    program's own threads. Threads that cannot be had, and memory for them, are done without.
- * 4) Each thread takes 3 MB of address space, of which it touches some 300 kB; poses take some 500 bytes a link.
+ * 4) Each thread takes 3 MB; poses take some 500 bytes a link.
  *
  * Errors:
  *    ARMTOL_NO_MEMORY

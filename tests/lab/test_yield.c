@@ -378,7 +378,7 @@ static void test_wrong_options_are_refused(void)
     check_refused((const char *const[]){"--colour", TEST_PUBLISHED, NULL}, "unknown option \"--colour\"");
     check_refused((const char *const[]){"--seed", NULL}, "missing after \"--seed\"");
     check_refused((const char *const[]){"--samples=0", TEST_PUBLISHED, NULL}, "--samples: \"0\"");
-    check_refused((const char *const[]){"--samples=1e3", TEST_PUBLISHED, NULL}, "--samples: \"1e3\"");
+    check_refused((const char *const[]){"--samples=1e-3", TEST_PUBLISHED, NULL}, "--samples: \"1e-3\"");
     check_refused((const char *const[]){"--samples=10000001", TEST_PUBLISHED, NULL}, "from 1 to 10000000");
     check_refused((const char *const[]){"--seed=-1", TEST_PUBLISHED, NULL}, "--seed: \"-1\"");
     check_refused((const char *const[]){"--seed=18446744073709551616", TEST_PUBLISHED, NULL}, "--seed: ");

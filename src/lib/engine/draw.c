@@ -100,7 +100,7 @@ static void run_first_worker(worker *worker)
 
 static worker *worker_new(work *work)
 {
-    worker *worker = calloc(1, sizeof *worker);
+    worker *worker = malloc(sizeof *worker);
     if (worker != NULL) {
         worker->work = work;
         tally_start(&worker->tally);

@@ -7,6 +7,7 @@
 
 void tally_start(tally *tally)
 {
+    memset(tally, 0, sizeof *tally);
     for (int i = 0; i < 6; i++) {
         tally->worst[i] = -1;
     }

@@ -33,7 +33,6 @@ typedef struct tally {
     uint64_t bins[6][TALLY_BINS];
 } tally;
 
-/* A new one has to be all 0 bits: a calloc takes no memory for the bins that nothing falls into. */
 void tally_start(tally *tally);
 
 /*

@@ -123,7 +123,7 @@ static armtol_fault verify(const armtol_answer *answer, const armtol_draw *draw,
         return unbounded;
     }
     double *errors = calloc(answer->n_columns, sizeof *errors);
-    tally *tally = calloc(1, sizeof *tally);
+    tally *tally = malloc(sizeof *tally);
     const armtol_status status =
         errors != NULL && tally != NULL ? search_and_draw(answer, draw, errors, tally, found) : ARMTOL_NO_MEMORY;
     free(errors);
