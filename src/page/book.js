@@ -4,6 +4,14 @@ import { pages } from 'page/pages.js';
 import { by, make } from './dom.js';
 import { addChecks } from './exercises.js';
 
+/* What is wider than its place is scrolled, also by who has no mouse. */
+function makeScrollable() {
+  for (const wide of by('book-text').querySelectorAll('pre, table')) {
+    if (wide.scrollWidth > wide.clientWidth) wide.tabIndex = 0;
+    else wide.removeAttribute('tabindex');
+  }
+}
+
 /** @param {string} name of a page @param {string} [heading] where to go on it */
 export function openPage(name, heading) {
   const page = pages.find((one) => one.name === name) ?? pages[0];
@@ -12,6 +20,7 @@ export function openPage(name, heading) {
     text.dataset.page = page.name;
     text.innerHTML = page.html;
     if (page.name === 'exercises') addChecks(text);
+    makeScrollable();
   }
   for (const link of by('book-pages').querySelectorAll('a')) {
     if (link.hash === `#book/${page.name}`) link.setAttribute('aria-current', 'page');
@@ -22,5 +31,6 @@ export function openPage(name, heading) {
 }
 
 export function startBook() {
+  new ResizeObserver(makeScrollable).observe(by('book-text'));
   by('book-pages').append(...pages.map(({ name, title }) => make('li', {}, make('a', { href: `#book/${name}` }, title))));
 }
