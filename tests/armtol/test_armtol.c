@@ -304,6 +304,8 @@ static const wrong_call wrong_calls[] = {
      "armtol: --gravity: 1 number is given; expected 3: x,y,z"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--force", "1,2,z", NULL},
      "armtol: --force: \"z\" is not a number"},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--compensated", "x", NULL},
+     "armtol: --compensated: \"x\" is not a number"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--compensated", "1.1", NULL},
      "armtol: --compensated: \"1.1\" is not from 0 to 1"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--wish", "links", NULL},

@@ -28,9 +28,17 @@ static void test_every_answer(void)
     check_short_main(armtol_main, (const char *const[]){ASKED, "--csv", NULL}, 6);
 }
 
+/* What leaves nothing is asked for once more, to be named. */
+static void test_no_answer(void)
+{
+    check_short_refused(armtol_main, (const char *const[]){ASKED, "--drives", "backlash=1", NULL},
+                        "armtol: no tolerances: the drives alone use ", 8);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_every_answer);
+    RUN_TEST(test_no_answer);
     return UNITY_END();
 }

@@ -338,6 +338,72 @@ static void test_weights_may_be_a_table(void)
     check_same(&listed, &read, "weights of a table");
 }
 
+/* ---- drives and loads ---- */
+
+/* A stiffness is the inverse of a compliance: here both are powers of two. */
+static void test_a_stiffness_is_what_a_compliance_is_not(void)
+{
+    process stiff, yielding;
+    run_well(&stiff, NULL, (const char *const[]){"puma560", "--joints", "0,.8,-1.6,0,.8,0", "--accuracy", "5,5,5,1,1,1",
+                                                 "--payload", "5", "--json", "--drives", "stiffness=65536", NULL});
+    run_well(&yielding, NULL, (const char *const[]){"puma560", "--joints", "0,.8,-1.6,0,.8,0", "--accuracy", "5,5,5,1,1,1",
+                                                    "--payload", "5", "--json", "--drives", "compliance=0.0000152587890625",
+                                                    NULL});
+    check_same(&stiff, &yielding, "stiffness");
+}
+
+/* Ten links of 100 in a line: the motors turn them on 1000, 900, ... 100 that lie across, and 0.1 may be off. */
+static void test_what_leaves_nothing_is_named(void)
+{
+    static const char message[] =
+        "armtol: no tolerances: the drives alone use 5500 % of dy in pose 1 with load 1: motor of link 0 1e+03 %, "
+        "motor of link 1 900 %, motor of link 2 800 %, motor of link 3 700 %, motor of link 4 600 %, "
+        "motor of link 5 500 %, motor of link 6 400 %, motor of link 7 300 % and 2 more\n";
+    const string folder = folder_new();
+    text table = {0};
+    strcat(table.bytes, "units: mm rad\njoint,a,alpha,d,theta\n");
+    for (int i = 0; i < 10; i++) {
+        strcat(table.bytes, "theta,100,0,0,0\n");
+    }
+    file_write(string_of("%s/line.csv", folder.text).text, table.bytes);
+    process process;
+    run(&process, folder.text, (const char *const[]){"line.csv", "--joints", "0,0,0,0,0,0,0,0,0,0", "--accuracy",
+                                                     "10,.1,10,9,9,9", "--drives", "backlash=.001", "--payload", "0",
+                                                     "--payload", "1", NULL});
+    process_check_status(&process, 2, message);
+    text_check(message, sizeof message - 1, &process.errors, "what uses it");
+}
+
+/* A table of 24 rows has 12 poses and, without the loads, the same 12. */
+static void test_many_loaded_poses_are_counted_and_not_listed(void)
+{
+    const string folder = folder_new();
+    text poses = {0};
+    for (int i = 0; i < 40; i++) {
+        strcat(poses.bytes, "0,.8,-1.6,0,.8,0\n");
+    }
+    file_write(string_of("%s/poses.txt", folder.text).text, poses.bytes);
+    process process;
+    run_well(&process, folder.text, (const char *const[]){"puma560", "--poses", "poses.txt", "--accuracy", "5,5,5,1,1,1",
+                                                          "--drives", "stiffness=65536", "--payload", "5", NULL});
+    check_says(&process, "  and 28 more poses (--json has all)\n");
+}
+
+static void test_load_cases_have_an_end(void)
+{
+    enum { MOST = 64 };
+    const char *arguments[2 * (MOST + 1) + 2] = {"puma560"};
+    for (int i = 0; i <= MOST; i++) {
+        arguments[1 + 2 * i] = "--payload";
+        arguments[2 + 2 * i] = "1";
+    }
+    process process;
+    run(&process, NULL, arguments);
+    process_check_status(&process, 2, "65 loads");
+    static const char message[] = "armtol: --payload: more than 64 load cases";
+    TEST_ASSERT_EQUAL_STRING_LEN(message, process.errors.bytes, sizeof message - 1);
+}
+
 /* ---- the sentences above the tables ---- */
 
 static void test_the_method_is_said(void)
@@ -672,6 +738,10 @@ int main(void)
     RUN_TEST(test_a_limit_may_stand_on_one_side);
     RUN_TEST(test_a_class_of_weights_is_its_parameters);
     RUN_TEST(test_weights_may_be_a_table);
+    RUN_TEST(test_a_stiffness_is_what_a_compliance_is_not);
+    RUN_TEST(test_what_leaves_nothing_is_named);
+    RUN_TEST(test_many_loaded_poses_are_counted_and_not_listed);
+    RUN_TEST(test_load_cases_have_an_end);
     RUN_TEST(test_the_method_is_said);
     RUN_TEST(test_a_sphere_says_its_bounds_in_json_too);
     RUN_TEST(test_many_poses_are_counted_and_not_listed);

@@ -242,7 +242,7 @@ static char *copy_of(const char *text)
 
 static void child_runs(const process_setup *setup, const ends *ends)
 {
-    enum { MOST = 32 };
+    enum { MOST = 160 };
     char *argv[MOST + 2] = {copy_of(setup->program)};
     for (int i = 0; setup->arguments != NULL && setup->arguments[i] != NULL && i < MOST; i++) {
         argv[i + 1] = copy_of(setup->arguments[i]);

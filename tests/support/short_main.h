@@ -13,6 +13,9 @@ typedef int main_routine(int argc, char *argv[]);
  */
 void check_short_main(main_routine *entry, const char *const arguments[], long least);
 
+/* The same of what is wrong: the message that this is begins with `refusal`. */
+void check_short_refused(main_routine *entry, const char *const arguments[], const char *refusal, long least);
+
 /*
  * It has to end with EXIT_FAILED and say that `file` cannot be opened where no descriptor is to be had. A program keeps
  * in mind that the machine has failed: to be called before the others.

@@ -264,6 +264,9 @@ static void test_ranges_and_loads_that_are_none(void)
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_LOADING, 0);
     loading = (armtol_loading){.n_payloads = 1, .payloads = &negative};
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_LOADING, 0);
+    armtol_mass huge = {1e308, {0}};
+    loading = (armtol_loading){.n_payloads = 1, .payloads = &huge, .gravity = {0, -9.80665, 0}};
+    check_refused(&one.question, ARMTOL_NOT_FINITE, ARMTOL_ABOUT_LOADING, 0);
     one.question.loading = NULL;
     one.arm.masses = &negative;
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_ARM, 0);
