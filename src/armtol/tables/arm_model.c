@@ -30,7 +30,7 @@ bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_un
         model->arm.masses = keep(model, 5, arm->masses, arm->n_links * sizeof *arm->masses);
     }
     for (size_t i = 0; i < sizeof model->memory / sizeof model->memory[0]; i++) {
-        if (model->memory[i] == NULL && (i < 5 || arm->masses != NULL)) {
+        if ((i < 5 || arm->masses != NULL) && model->memory[i] == NULL) {
             arm_model_free(model);
             out_of_memory();
             return false;

@@ -30,11 +30,11 @@ static void add_droop(table *table, const findings *findings, size_t place)
 static void add_pose(table *table, const findings *findings, size_t pose)
 {
     const size_t n_loads = findings->answer->n_loads;
-    double difference[6];
     for (size_t load = 0; load < n_loads; load++) {
         add_droop(table, findings, pose * n_loads + load);
     }
     if (n_loads > 1) {
+        double difference[6];
         findings_load_difference(findings, pose, difference);
         table_add(table, "%zu\tdifference", pose + 1);
         add_values(table, difference);

@@ -80,9 +80,9 @@ bool urdf_masses_make(const urdf_tree *tree, urdf_carried carried[], const armto
     }
     *any = false;
     for (size_t i = 0; i < tree->n_links; i++) {
-        double center[3];
         find_carried(tree, carried, i, way);
         if (tree->links[i].mass > 0 && carried[i].axis > 0) {
+            double center[3];
             move_point(&carried[i].at, tree->links[i].center, center);
             add_mass(&masses[link_of_axis(links, carried[i].axis)], tree->links[i].mass, center);
         }

@@ -550,11 +550,11 @@ static void test_the_common_perpendicular_is_near_within_the_reach(void)
     const double edge = atan(300.0 / 550);
     for (int n = 0; n < 20; n++) {
         const double angle = edge * (n % 2 == 0 ? 0.998 : 1.001), s = sin(angle), c = cos(angle);
-        const double turn = random_between(&source, -pi, pi);
+        const double about = random_between(&source, -pi, pi);
         arm arm = {.n_axes = 2,
                    .axes = {{ARMTOL_REVOLUTE, {0, 0, random_between(&source, -900, 900)}, {0, 0, 1}},
-                            {ARMTOL_REVOLUTE, {300, 0, 0}, {s * cos(turn), s * sin(turn), c}}}};
-        double beside[3] = {-sin(turn), cos(turn), 0}; /* square to axis 2 */
+                            {ARMTOL_REVOLUTE, {300, 0, 0}, {s * cos(about), s * sin(about), c}}}};
+        double beside[3] = {-sin(about), cos(about), 0}; /* square to axis 2 */
         for (int i = 0; i < 3; i++) {
             beside[i] = arm.axes[1].point[i] + 250 * beside[i];
         }

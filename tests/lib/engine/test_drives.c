@@ -247,8 +247,9 @@ static void test_all_is_given(void)
 static void test_ranges_and_loads_that_are_none(void)
 {
     const double below[4] = {0, -1, 0, 0}, two[4] = {0, 2, 0, 0}, one_each[4] = {1, 1, 1, 1};
-    armtol_mass negative = {-1, {0}};
-    armtol_loading loading = {.compensated = 1.5};
+    const armtol_mass negative = {-1, {0}}, huge = {1e308, {0}};
+    const armtol_loading too_much = {.compensated = 1.5}, below_zero = {.n_payloads = 1, .payloads = &negative},
+                         too_heavy = {.n_payloads = 1, .payloads = &huge, .gravity = {0, -9.80665, 0}};
     one.question.least = below;
     check_refused(&one.question, ARMTOL_BAD_RANGE, ARMTOL_ABOUT_RANGES, 1);
     one.question.least = two;
@@ -260,12 +261,11 @@ static void test_ranges_and_loads_that_are_none(void)
     one.question.method = ARMTOL_METHOD_SPHERE;
     check_refused(&one.question, ARMTOL_BAD_RANGE, ARMTOL_ABOUT_METHOD, 0);
     one.question.largest = NULL;
-    one.question.loading = &loading;
+    one.question.loading = &too_much;
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_LOADING, 0);
-    loading = (armtol_loading){.n_payloads = 1, .payloads = &negative};
+    one.question.loading = &below_zero;
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_LOADING, 0);
-    armtol_mass huge = {1e308, {0}};
-    loading = (armtol_loading){.n_payloads = 1, .payloads = &huge, .gravity = {0, -9.80665, 0}};
+    one.question.loading = &too_heavy;
     check_refused(&one.question, ARMTOL_NOT_FINITE, ARMTOL_ABOUT_LOADING, 0);
     one.question.loading = NULL;
     one.arm.masses = &negative;
