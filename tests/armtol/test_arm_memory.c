@@ -2,6 +2,7 @@
 
 #include "armtol/ask/lists.h"
 #include "armtol/tables/arm_file.h"
+#include "armtol/tables/arm_laying.h"
 #include "console/message.h"
 
 #include "support/said.h"
@@ -76,6 +77,22 @@ static void test_arm(void)
     check_out_of_memory(read_arm, text, 10);
 }
 
+static bool read_laid(FILE *stream)
+{
+    arm_model model;
+    const bool fine = arm_file_read(stream, "far.csv", &model) && arm_laying_gather(&model);
+    arm_model_free(&model);
+    return fine;
+}
+
+/* Two axes 300 apart and 0.05 degrees from parallel, in plain Denavit-Hartenberg: frames far off the arm. */
+static void test_an_arm_laid_anew(void)
+{
+    static const char far[] = "units: mm deg\njoint a alpha d theta mass\n"
+                              "theta 0 0.05 -343774.5898120269 90 2\ntheta 250 0 343774.7207117291 -90 3\n";
+    check_out_of_memory(read_laid, far, 20);
+}
+
 static bool read_poses(FILE *stream)
 {
     double *poses;
@@ -109,6 +126,7 @@ int main(void)
     message_start("armtol");
     UNITY_BEGIN();
     RUN_TEST(test_arm);
+    RUN_TEST(test_an_arm_laid_anew);
     RUN_TEST(test_poses);
     RUN_TEST(test_parameters);
     return UNITY_END();
