@@ -262,6 +262,19 @@ static void test_what_is_taken_for_exact_is_said(void)
     check_says(&process, "# Taken for exact (--snap): axis 3 and the tool's z axis coincide (but for 0.000152 deg and ");
 }
 
+static void test_neighbours_that_are_parallel(void)
+{
+    const string folder = folder_new(), file = string_of("%s/pair.urdf", folder.text);
+    process process;
+    file_write(file.text,
+               "<robot name='pair'><link name='a'/><link name='b'/><link name='c'/>"
+               "<joint name='j1' type='continuous'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint>"
+               "<joint name='j2' type='continuous'><parent link='b'/><child link='c'/>"
+               "<origin xyz='0.3 0 0' rpy='0.000003 0 0'/><axis xyz='0 0 1'/></joint></robot>");
+    run_well(&process, folder.text, (const char *const[]){"pair.urdf", "--show", NULL});
+    check_says(&process, "# Taken for exact (--snap): axes 1 and 2 are parallel (but for 3e-06 rad and 0 m).\n");
+}
+
 #endif
 
 int main(void)
@@ -275,6 +288,7 @@ int main(void)
 #ifdef TEST_URDF
     RUN_TEST(test_digits_decide_nothing);
     RUN_TEST(test_what_is_taken_for_exact_is_said);
+    RUN_TEST(test_neighbours_that_are_parallel);
 #endif
     return UNITY_END();
 }
