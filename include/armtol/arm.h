@@ -4,6 +4,7 @@
 #include "armtol/interface.h"
 #include "armtol/link.h"
 #include "armtol/loads.h"
+#include "armtol/status.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -13,10 +14,11 @@ ARMTOL_INTERFACE_BEGIN
 typedef enum armtol_length_unit {
     ARMTOL_MILLIMETRE,
     ARMTOL_METRE,
+    ARMTOL_INCH, /* 25.4 mm */
     ARMTOL_LENGTH_UNIT_COUNT
 } armtol_length_unit;
 
-/* "mm", "m"; "?" for a value that is none. */
+/* "mm", "m", "in"; "?" for a value that is none. */
 const char *armtol_length_unit_name(armtol_length_unit unit);
 
 /*
@@ -64,6 +66,24 @@ typedef struct armtol_drive_offset {
  */
 armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt, double compensated);
 
+/*
+ * How the joint of a link moves when it is not simply moved by a motor of its own. The value of the joint is
+ *
+ *     value = multiplier q + offset
+ *
+ * with q the value that is asked of the joint of link `follows`; where that is the link itself, value = q, and
+ * multiplier and offset are not looked at. sign * value is added to theta or d.
+ *
+ * Each link keeps its own parameters' errors, a follower too: theta of two links that one motor turns are two
+ * parameters. What is guaranteed for errors that are independent of each other holds for those of one motor too: it may
+ * be off by the smaller one of the leader's tolerance and the follower's divided by |multiplier|.
+ */
+typedef struct armtol_motion {
+    size_t follows; /* a link whose joint follows none */
+    double multiplier, offset;
+    double sign; /* 1 or -1 */
+} armtol_motion;
+
 /* An arm: the table of its links, and what goes with it. */
 typedef struct armtol_arm {
     const char *name;   /* one word, as typed: puma560 */
@@ -74,7 +94,34 @@ typedef struct armtol_arm {
     const armtol_link *links;   /* n_links, at joint values 0 */
     const armtol_drive *drives; /* n_links, a link's own; those of fixed links mean nothing */
     const armtol_mass *masses;  /* n_links; NULL where they are not known */
+    const armtol_motion *motions; /* n_links, not of fixed links; NULL: each joint moves by itself, with sign 1 */
 } armtol_arm;
+
+/* Whether the link has a joint that moves by itself: one of those that have a value in q. */
+bool armtol_arm_is_driven(const armtol_arm *arm, size_t link);
+
+/* How many joints move by themselves. */
+size_t armtol_arm_joint_count(const armtol_arm *arm);
+
+/*
+ * The value of a link's joint, before its sign; q has one value for each joint that moves by itself. 0 for a fixed
+ * link.
+ */
+double armtol_arm_joint_value(const armtol_arm *arm, const double q[], size_t link);
+
+/*
+ * Whether links and motions are fit for use. Errors: those of armtol_links_check; ARMTOL_BAD_JOINT for a motion that
+ * follows a link whose joint does not move by itself, or a sign that is not 1 or -1; ARMTOL_NOT_FINITE for a motion
+ * that is not.
+ */
+armtol_status armtol_arm_check(const armtol_arm *arm);
+
+/*
+ * armtol_links_place for an arm whose joints need not all move by themselves: q has one value a joint that does, in
+ * link order. placed has arm->n_links places. Errors: those of armtol_arm_check; ARMTOL_WRONG_SIZE where n_joints is
+ * not armtol_arm_joint_count; ARMTOL_NOT_FINITE for a q that is not, and for a value that overflows.
+ */
+armtol_status armtol_arm_place(const armtol_arm *arm, const double q[], size_t n_joints, armtol_link placed[]);
 
 /*
  * The built-in arms: index 0 to armtol_arm_count() - 1, NULL beyond; and by name, NULL where none has it. All

@@ -32,7 +32,7 @@ const char *armtol_method_name(armtol_method method);
  */
 typedef struct armtol_question {
     const armtol_arm *arm;    /* not NULL */
-    const double *q;          /* n_poses x joints, pose by pose, radians or lengths; NULL for an arm without joints */
+    const double *q;          /* n_poses x armtol_arm_joint_count, radians or lengths; NULL for an arm without joints */
     size_t n_poses;           /* at least one; what is asked is asked of all of them at once */
     armtol_tool_point tool;   /* 0: the origin of the last frame, counted along the base's axes */
     const double *accuracy;   /* dx, dy, dz, wx, wy, wz, each > 0, infinity for a free one; NULL: none asked for */

@@ -29,8 +29,12 @@ bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_un
     if (arm->masses != NULL) {
         model->arm.masses = keep(model, 5, arm->masses, arm->n_links * sizeof *arm->masses);
     }
+    if (arm->motions != NULL) {
+        model->arm.motions = keep(model, 6, arm->motions, arm->n_links * sizeof *arm->motions);
+    }
+    const bool wanted[] = {true, true, true, true, true, arm->masses != NULL, arm->motions != NULL};
     for (size_t i = 0; i < sizeof model->memory / sizeof model->memory[0]; i++) {
-        if ((i < 5 || arm->masses != NULL) && model->memory[i] == NULL) {
+        if (wanted[i] && model->memory[i] == NULL) {
             arm_model_free(model);
             out_of_memory();
             return false;
@@ -42,19 +46,35 @@ bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_un
 /* Of a slide the drive's numbers are lengths where those of another joint are angles. */
 static bool is_length(arm_column column, armtol_joint joint)
 {
-    const bool of_slide = joint == ARMTOL_PRISMATIC && arm_column_is_drive(column) &&
-                          arm_column_is_angle(column, ARMTOL_REVOLUTE);
+    const bool moves = arm_column_is_drive(column) || arm_column_is_motion(column);
+    const bool of_slide = joint == ARMTOL_PRISMATIC && moves && arm_column_is_angle(column, ARMTOL_REVOLUTE);
     return column == COLUMN_A || column == COLUMN_D || column >= COLUMN_COM_X || of_slide;
 }
 
-static bool convert_entry(arm_entry *entry, armtol_length_unit unit)
+static double millimetres(armtol_length_unit unit)
+{
+    static const double counts[ARMTOL_LENGTH_UNIT_COUNT] = {
+        [ARMTOL_MILLIMETRE] = 1, [ARMTOL_METRE] = 1000, [ARMTOL_INCH] = 25.4};
+    return counts[unit];
+}
+
+/* A motor that turns one joint and pushes another: lengths a radian, or radians a length. */
+static void convert_multiplier(arm_entry *entry, armtol_joint leader, double factor, double divisor)
+{
+    const bool slides = entry->link.joint == ARMTOL_PRISMATIC;
+    if (entry->link.joint != ARMTOL_FIXED && slides != (leader == ARMTOL_PRISMATIC)) {
+        entry->motion.multiplier *= slides ? factor / divisor : divisor / factor;
+    }
+}
+
+static bool convert_entry(arm_entry *entry, double factor, double divisor)
 {
     bool fine = true;
     for (arm_column column = COLUMN_A; column < ARM_COLUMNS; column++) {
         double *number = arm_column_number(column, entry);
         if (is_length(column, entry->link.joint)) {
             const bool finite = isfinite(*number);
-            *number = unit == ARMTOL_METRE ? *number / 1000 : *number * 1000;
+            *number = *number * factor / divisor;
             fine = fine && isfinite(*number) == finite;
         }
     }
@@ -66,9 +86,11 @@ bool arm_model_convert(arm_model *model, armtol_length_unit unit)
     armtol_link *links = model->memory[3];
     armtol_drive *drives = model->memory[4];
     armtol_mass *masses = model->memory[5];
+    armtol_motion *motions = model->memory[6];
+    const double factor = millimetres(model->arm.unit), divisor = millimetres(unit);
     for (size_t i = 0; i < model->arm.n_links && unit != model->arm.unit; i++) {
         arm_entry entry = arm_entry_of(&model->arm, i);
-        if (!convert_entry(&entry, unit)) {
+        if (!convert_entry(&entry, factor, divisor)) {
             message("%s: link %zu: a length is too large in %s", model->arm.name, i, armtol_length_unit_name(unit));
             return false;
         }
@@ -76,6 +98,10 @@ bool arm_model_convert(arm_model *model, armtol_length_unit unit)
         drives[i] = entry.drive;
         if (masses != NULL) {
             masses[i] = entry.mass;
+        }
+        if (motions != NULL && entry.link.joint != ARMTOL_FIXED) {
+            convert_multiplier(&entry, links[entry.motion.follows].joint, factor, divisor);
+            motions[i] = entry.motion;
         }
     }
     model->arm.unit = unit;

@@ -26,7 +26,7 @@ typedef struct arm_model {
     armtol_arm arm;
     angle_unit angle_unit;
     arm_laying laying;
-    void *memory[6]; /* name, title, source, links, drives, masses; freed by arm_model_free */
+    void *memory[7]; /* name, title, source, links, drives, masses, motions; freed by arm_model_free */
 } arm_model;
 
 /* A copy of the given parts. False, after a message, where memory is short. */

@@ -67,7 +67,7 @@ static void write_poses(json *json, const findings *findings)
         json_open_array(json, "joints");
         for (size_t i = 0; i < answer->n_links; i++) {
             const armtol_joint moved = answer->links[i].joint;
-            if (moved != ARMTOL_FIXED) {
+            if (armtol_arm_is_driven(findings->request->question.arm, i)) {
                 json_number(json, NULL, units_typed(units, moved == ARMTOL_PRISMATIC, q[joint++]));
             }
         }

@@ -27,7 +27,7 @@ void json_list(void)
         json_open_object(&json, NULL);
         write_texts(&json, arm);
         json_count(&json, "links", arm->n_links);
-        json_count(&json, "joints", armtol_joint_count(arm->links, arm->n_links));
+        json_count(&json, "joints", armtol_arm_joint_count(arm));
         json_text(&json, "length", armtol_length_unit_name(arm->unit));
         json_close_object(&json);
     }
@@ -52,6 +52,21 @@ static bool is_known(const armtol_arm *arm, const arm_entry *entry, arm_column c
     return said && entry->link.joint != ARMTOL_FIXED && column != COLUMN_STIFFNESS && column != COLUMN_BITS;
 }
 
+/* How a joint moves that does not simply move by itself. */
+static void write_motion(json *json, const arm_entry *entry, const units *units, size_t link)
+{
+    const armtol_motion *motion = &entry->motion;
+    if (motion->sign != 1) {
+        json_number(json, "sign", motion->sign);
+    }
+    if (motion->follows != link) {
+        const bool angle = entry->link.joint == ARMTOL_REVOLUTE;
+        json_count(json, "couple", motion->follows);
+        json_number(json, "multiplier", motion->multiplier);
+        json_number(json, "offset", angle ? units_typed(units, false, motion->offset) : motion->offset);
+    }
+}
+
 static void write_link(json *json, const armtol_arm *arm, const units *units, size_t i)
 {
     arm_entry entry = arm_entry_of(arm, i);
@@ -59,11 +74,17 @@ static void write_link(json *json, const armtol_arm *arm, const units *units, si
     json_text(json, "kind", armtol_kind_name(entry.link.kind));
     json_text(json, "joint", arm_joint_name(entry.link.joint));
     for (arm_column column = COLUMN_A; column < ARM_COLUMNS; column++) {
+        if (arm_column_is_motion(column)) {
+            continue;
+        }
         const double value = *arm_column_number(column, &entry);
         const bool angle = arm_column_is_angle(column, entry.link.joint);
         if (is_known(arm, &entry, column, value)) {
             json_number(json, arm_column_name(column), angle ? units_typed(units, false, value) : value);
         }
+    }
+    if (entry.link.joint != ARMTOL_FIXED) {
+        write_motion(json, &entry, units, i);
     }
     json_close_object(json);
 }

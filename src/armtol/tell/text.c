@@ -48,7 +48,7 @@ static void print_pose(const findings *findings, size_t pose)
     wrap_say(&wrap, findings->request->question.n_poses > 1 ? "pose %zu: joints" : "joints", pose + 1);
     for (size_t i = 0; i < answer->n_links; i++) {
         const armtol_joint moved = answer->links[i].joint;
-        if (moved != ARMTOL_FIXED) {
+        if (armtol_arm_is_driven(findings->request->question.arm, i)) {
             const bool last = ++joint == answer->n_joints;
             wrap_say(&wrap, "%.6g%s", units_shown(units, moved == ARMTOL_PRISMATIC, q[joint - 1]), last ? "," : "");
         }
@@ -83,6 +83,23 @@ static void say_where(const findings *findings, wrap *wrap)
         wrap_say(wrap, "in this pose; elsewhere is unknown.");
     } else {
         wrap_say(wrap, "in these %zu poses; elsewhere is unknown.", n_poses);
+    }
+}
+
+/* Two links that one motor moves; docs/arm-files.md. */
+static void print_followers(const findings *findings)
+{
+    const armtol_arm *arm = findings->request->question.arm;
+    for (size_t i = 0; i < arm->n_links; i++) {
+        if (arm->links[i].joint != ARMTOL_FIXED && !armtol_arm_is_driven(arm, i)) {
+            const size_t leader = arm->motions[i].follows;
+            wrap wrap;
+            wrap_start(&wrap, stdout, 0, 0);
+            wrap_say(&wrap, "Link %zu follows link %zu, and each may be off by itself. What their motor is off by is in "
+                            "link %zu %.6g times.",
+                     i, leader, i, arm->motions[i].multiplier);
+            wrap_end(&wrap);
+        }
     }
 }
 
@@ -165,6 +182,7 @@ static void print_heading(const findings *findings)
     wrap_end(&wrap);
     laying_print(request->laying, units, "");
     print_poses(findings);
+    print_followers(findings);
     print_method(findings);
     print_drives(findings);
 }

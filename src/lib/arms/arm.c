@@ -17,6 +17,7 @@ const char *armtol_length_unit_name(armtol_length_unit unit)
     static const char *const names[ARMTOL_LENGTH_UNIT_COUNT] = {
         [ARMTOL_MILLIMETRE] = "mm",
         [ARMTOL_METRE] = "m",
+        [ARMTOL_INCH] = "in",
     };
     return (size_t)unit < ARMTOL_LENGTH_UNIT_COUNT ? names[unit] : "?";
 }

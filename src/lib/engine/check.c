@@ -20,7 +20,7 @@ static bool is_whole(const armtol_question *question)
 {
     const armtol_arm *arm = question->arm;
     return arm != NULL && question->n_poses > 0 && (question->accuracy != NULL || question->tolerances != NULL) &&
-           (question->q != NULL || armtol_joint_count(arm->links, arm->n_links) == 0);
+           (question->q != NULL || armtol_arm_joint_count(arm) == 0);
 }
 
 static bool is_method(const armtol_question *question)
@@ -42,7 +42,7 @@ armtol_fault question_check(const armtol_question *question)
             return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_ACCURACY, i);
         }
     }
-    const armtol_status status = armtol_links_check(question->arm->links, question->arm->n_links);
+    const armtol_status status = armtol_arm_check(question->arm);
     return status == ARMTOL_OK ? question_check_drives(question) : fault_of(status, ARMTOL_ABOUT_ARM, 0);
 }
 

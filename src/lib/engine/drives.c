@@ -90,7 +90,9 @@ armtol_fault question_check_drives(const armtol_question *question)
 /* Metres of the arm's unit of length. */
 static double metres(armtol_length_unit unit)
 {
-    return unit == ARMTOL_METRE ? 1 : 1e-3;
+    static const double counts[ARMTOL_LENGTH_UNIT_COUNT] = {
+        [ARMTOL_MILLIMETRE] = 1e-3, [ARMTOL_METRE] = 1, [ARMTOL_INCH] = 0.0254};
+    return (size_t)unit < ARMTOL_LENGTH_UNIT_COUNT ? counts[unit] : 1e-3;
 }
 
 static armtol_status find_moments(armtol_answer *answer, const armtol_question *question, size_t pose)

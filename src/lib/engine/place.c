@@ -22,8 +22,7 @@ static armtol_status place(armtol_answer *answer, const armtol_question *questio
     const size_t n = answer->n_columns, n_joints = answer->n_joints;
     const double none = 0, *q = n_joints > 0 ? question->q + pose / answer->n_loads * n_joints : &none;
     armtol_link *links = answer->links + pose * answer->n_links;
-    const armtol_status status =
-        armtol_links_place(arm->links, arm->n_links, q, n_joints, &armtol_errata_none, links);
+    const armtol_status status = armtol_arm_place(arm, q, n_joints, links);
     if (status != ARMTOL_OK) {
         return status;
     }
@@ -37,7 +36,7 @@ armtol_fault answer_place(armtol_answer *answer, const armtol_question *question
 {
     const armtol_arm *arm = question->arm;
     answer->n_links = arm->n_links;
-    answer->n_joints = armtol_joint_count(arm->links, arm->n_links);
+    answer->n_joints = armtol_arm_joint_count(arm);
     answer->n_columns = armtol_column_count(arm->links, arm->n_links);
     answer->n_loads = question_load_count(question);
     answer->n_poses = question->n_poses * answer->n_loads;

@@ -19,7 +19,7 @@ static void tell_joints(json *json, const armtol_arm *arm)
 {
     json_open_array(json, "joints");
     for (size_t i = 0; i < arm->n_links; i++) {
-        if (arm->links[i].joint != ARMTOL_FIXED) {
+        if (armtol_arm_is_driven(arm, i)) {
             json_open_object(json, NULL);
             json_text(json, "kind", joint_names[arm->links[i].joint]);
             json_number(json, "low", arm->drives[i].low);
@@ -68,9 +68,8 @@ static const char *frames_of(const armtol_arm *arm, const double q[], size_t n_j
     if (placed == NULL || rest == NULL) {
         out_of_memory();
     } else {
-        const size_t n = q == NULL ? armtol_joint_count(arm->links, arm->n_links) : n_joints;
-        const armtol_status status = armtol_links_place(arm->links, arm->n_links, q == NULL ? rest : q, n,
-                                                        &armtol_errata_none, placed);
+        const size_t n = q == NULL ? armtol_arm_joint_count(arm) : n_joints;
+        const armtol_status status = armtol_arm_place(arm, q == NULL ? rest : q, n, placed);
         json *json = status == ARMTOL_OK ? told_begin() : NULL;
         if (json != NULL) {
             json_text(json, "title", arm->title);

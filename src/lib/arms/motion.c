@@ -1,0 +1,105 @@
+#include "armtol/arm.h"
+
+#include "lib/report/finite.h"
+
+static bool follows_itself(const armtol_arm *arm, size_t link)
+{
+    return arm->motions == NULL || arm->motions[link].follows == link;
+}
+
+bool armtol_arm_is_driven(const armtol_arm *arm, size_t link)
+{
+    return arm->links[link].joint != ARMTOL_FIXED && follows_itself(arm, link);
+}
+
+/* The joints that move by themselves of the links before this one. */
+static size_t joints_before(const armtol_arm *arm, size_t link)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < link; i++) {
+        count += armtol_arm_is_driven(arm, i);
+    }
+    return count;
+}
+
+size_t armtol_arm_joint_count(const armtol_arm *arm)
+{
+    return joints_before(arm, arm->n_links);
+}
+
+/* *joint is the number of the next joint that moves by itself. */
+static double value_of(const armtol_arm *arm, const double q[], size_t link, size_t *joint)
+{
+    if (arm->links[link].joint == ARMTOL_FIXED) {
+        return 0;
+    }
+    if (follows_itself(arm, link)) {
+        return q[(*joint)++];
+    }
+    const armtol_motion *motion = &arm->motions[link];
+    return motion->multiplier * q[joints_before(arm, motion->follows)] + motion->offset;
+}
+
+double armtol_arm_joint_value(const armtol_arm *arm, const double q[], size_t link)
+{
+    size_t joint = joints_before(arm, link);
+    return value_of(arm, q, link, &joint);
+}
+
+static armtol_status check_motion(const armtol_arm *arm, size_t link)
+{
+    const armtol_motion *motion = &arm->motions[link];
+    if (arm->links[link].joint == ARMTOL_FIXED) {
+        return ARMTOL_OK;
+    }
+    const bool sign = motion->sign == 1 || motion->sign == -1;
+    if (!sign || motion->follows >= arm->n_links || !armtol_arm_is_driven(arm, motion->follows)) {
+        return ARMTOL_BAD_JOINT;
+    }
+    const double values[] = {motion->multiplier, motion->offset};
+    return motion->follows == link || all_finite(values, 2) ? ARMTOL_OK : ARMTOL_NOT_FINITE;
+}
+
+armtol_status armtol_arm_check(const armtol_arm *arm)
+{
+    armtol_status status = armtol_links_check(arm->links, arm->n_links);
+    for (size_t i = 0; i < arm->n_links && status == ARMTOL_OK && arm->motions != NULL; i++) {
+        status = check_motion(arm, i);
+    }
+    return status;
+}
+
+static armtol_status place_link(const armtol_arm *arm, const double q[], size_t link, size_t *joint, armtol_link *placed)
+{
+    const double sign = arm->motions != NULL ? arm->motions[link].sign : 1;
+    const double moved = sign * value_of(arm, q, link, joint);
+    return armtol_links_place(&arm->links[link], 1, &moved, arm->links[link].joint != ARMTOL_FIXED, &armtol_errata_none,
+                              placed);
+}
+
+static armtol_status check_placing(const armtol_arm *arm, const double q[])
+{
+    armtol_status status = ARMTOL_OK;
+    armtol_link placed;
+    size_t joint = 0;
+    for (size_t i = 0; i < arm->n_links && status == ARMTOL_OK; i++) {
+        status = place_link(arm, q, i, &joint, &placed);
+    }
+    return status;
+}
+
+armtol_status armtol_arm_place(const armtol_arm *arm, const double q[], size_t n_joints, armtol_link placed[])
+{
+    armtol_status status = armtol_arm_check(arm);
+    if (status == ARMTOL_OK && n_joints != armtol_arm_joint_count(arm)) {
+        status = ARMTOL_WRONG_SIZE;
+    }
+    if (status == ARMTOL_OK) {
+        status = check_placing(arm, q);
+    }
+    size_t joint = 0;
+    for (size_t i = 0; i < arm->n_links && status == ARMTOL_OK; i++) {
+        status = place_link(arm, q, i, &joint, &placed[i]);
+    }
+    return status;
+}
