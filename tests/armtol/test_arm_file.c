@@ -338,21 +338,21 @@ static void test_the_tables_of_the_documentation(void)
 #define UNITS "units: mm deg\n"
 #define HEAD UNITS "joint,a,alpha,d,theta\n"
 #define FULL UNITS "kind,joint,a,alpha,d,theta,beta,low,high,backlash,compliance,moment\n"
-#define EXPECTED_UNITS "expected a unit of length, mm or m, and one of angles, deg or rad"
+#define EXPECTED_UNITS "expected a unit of length, mm, m or in, and one of angles, deg or rad"
 #define EXPECTED_COLUMNS \
-    "expected kind, joint, a, alpha, d, theta, beta, low, high, backlash, compliance or stiffness, moment, " \
+    "expected kind, joint, a, alpha, d, theta, beta, sign, couple, multiplier, offset, low, high, backlash, compliance or stiffness, moment, " \
     "resolution or bits, friction, mass, com_x, com_y or com_z"
-#define NEITHER " is neither a key (name, title, source, units) nor a column (kind, joint, a, alpha, d, theta, ...)"
+#define NEITHER " is neither a key (name, title, source, units, order) nor a column (kind, joint, a, alpha, d, theta, ...)"
 #define NO_TABLE \
     "the file ends before a table of links; expected a row of names: joint, a, alpha, d, theta and, as needed, " \
-    "kind, beta, low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z"
+    "kind, beta, sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z"
 #define SAVE_AS "save the table as UTF-8 (in a spreadsheet: CSV, UTF-8)"
 
 static void test_wrong_keys(void)
 {
-    check_refused("2:3: unknown key \"colour\"; expected name, title, source or units", "\n  colour: red\n");
-    check_refused("1:1: unknown key \"nam\"; expected name, title, source or units", "nam: red\n");
-    check_refused("1:2: unknown key \"colour\"; expected name, title, source or units", "\"colour:\";red\n");
+    check_refused("2:3: unknown key \"colour\"; expected name, title, source, units or order", "\n  colour: red\n");
+    check_refused("1:1: unknown key \"nam\"; expected name, title, source, units or order", "nam: red\n");
+    check_refused("1:2: unknown key \"colour\"; expected name, title, source, units or order", "\"colour:\";red\n");
     check_refused("2:3: a second \"units\"", UNITS "  units: mm deg\n");
     check_refused("3:1: a second \"title\"", "title: one\nname: x\ntitle;two\n");
     check_refused("1:17: a cell too many behind \"title\"; put a text with separators in quotes",
@@ -575,7 +575,7 @@ static void write_bytes(const armtol_arm *arm, angle_unit unit, char *text, size
 {
     FILE *stream = tmpfile();
     TEST_ASSERT_NOT_NULL(stream);
-    arm_file_write(arm, unit, stream);
+    arm_file_write(arm, ORDER_PAUL, unit, stream);
     rewind(stream);
     const size_t length = fread(text, 1, size, stream);
     TEST_ASSERT_TRUE(length < size);

@@ -93,6 +93,28 @@ static void test_an_arm_laid_anew(void)
     check_out_of_memory(read_laid, far, 20);
 }
 
+/* Read, and shown in the same order. */
+static bool read_craig(FILE *stream)
+{
+    arm_model model;
+    bool fine = arm_file_read(stream, "arm.csv", &model);
+    FILE *const shown = fine ? fopen("/dev/null", "w") : NULL;
+    if (shown != NULL) {
+        fine = arm_file_write(&model.arm, ORDER_CRAIG, UNIT_RADIAN, shown);
+        fclose(shown);
+    }
+    arm_model_free(&model);
+    return fine;
+}
+
+static void test_a_table_in_craigs_order(void)
+{
+    check_out_of_memory(read_craig,
+                        "name: n\norder: craig\nunits: mm rad\njoint,a,alpha,d,theta,couple\n"
+                        "theta,1,2,0,0\ntheta,0,0,0,0,0\nfixed,3,0,0,0\n",
+                        20);
+}
+
 static bool read_poses(FILE *stream)
 {
     double *poses;
@@ -127,6 +149,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_arm);
     RUN_TEST(test_an_arm_laid_anew);
+    RUN_TEST(test_a_table_in_craigs_order);
     RUN_TEST(test_poses);
     RUN_TEST(test_parameters);
     return UNITY_END();

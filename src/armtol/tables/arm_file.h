@@ -1,7 +1,7 @@
 #ifndef ARMTOL_TABLES_ARM_FILE_H
 #define ARMTOL_TABLES_ARM_FILE_H
 
-#include "armtol/tables/arm_model.h"
+#include "armtol/tables/arm_head.h"
 
 #include <stdbool.h>
 #include <stdio.h>
@@ -12,7 +12,10 @@
  */
 bool arm_file_read(FILE *stream, const char *path, arm_model *model);
 
-/* The arm in that form, so that reading it gives the same arm to the bit. */
-void arm_file_write(const armtol_arm *arm, angle_unit angle_unit, FILE *stream);
+/*
+ * The arm in that form, so that reading it gives the same arm to the bit, in either order. False after a message: memory is
+ * short, and only Craig's order needs any.
+ */
+bool arm_file_write(const armtol_arm *arm, row_order order, angle_unit angle_unit, FILE *stream);
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "armtol/axes.h"
 #include "armtol/tables/arm_head.h"
+#include "armtol/tables/arm_rows.h"
 #include "armtol/tables/arm_row.h"
 #include "armtol/tables/arm_table.h"
 #include "armtol/tables/cells.h"
@@ -14,7 +15,8 @@
 #include <string.h>
 
 static const char expected_head[] = "expected a row of names: joint, a, alpha, d, theta and, as needed, kind, beta, "
-                                    "low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z";
+                                    "sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, "
+                                    "friction, mass, com_x, com_y, com_z";
 
 /* All that is at work while a file is read. */
 typedef struct arm_reader {
@@ -22,18 +24,16 @@ typedef struct arm_reader {
     cell_row row;
     arm_head head;
     arm_columns columns;
-    size_t n_links;
-    size_t link_room, drive_room, mass_room, given_room;
-    armtol_link *links;
-    armtol_drive *drives;
-    armtol_mass *masses;
-    bool *kinds_given;
+    size_t n_rows;
+    size_t row_room, couple_room;
+    arm_entry *rows;
+    file_place *couples; /* where a row says what it follows */
     file_place last_kind; /* where the last row's kind stands */
 } arm_reader;
 
 static void start(arm_reader *reader, FILE *stream, const char *path)
 {
-    *reader = (arm_reader){.n_links = 0};
+    *reader = (arm_reader){.n_rows = 0};
     text_lines_start(&reader->lines, stream, path);
     cells_start(&reader->row);
     arm_head_start(&reader->head);
@@ -44,10 +44,8 @@ static void end(arm_reader *reader)
     text_lines_free(&reader->lines);
     cells_free(&reader->row);
     arm_head_free(&reader->head);
-    free(reader->links);
-    free(reader->drives);
-    free(reader->masses);
-    free(reader->kinds_given);
+    free(reader->rows);
+    free(reader->couples);
 }
 
 static bool fail_at_line(const arm_reader *reader, const char *fault, const char *expected)
@@ -84,27 +82,17 @@ static bool read_head(arm_reader *reader)
     }
 }
 
-/* Room for one link more. */
+/* Room for one row more. */
 static bool grow(arm_reader *reader)
 {
-    armtol_link *links = list_room(reader->links, reader->n_links, &reader->link_room, sizeof *links);
-    if (links == NULL) {
+    arm_entry *rows = list_room(reader->rows, reader->n_rows, &reader->row_room, sizeof *rows);
+    if (rows == NULL) {
         return false;
     }
-    reader->links = links;
-    armtol_drive *drives = list_room(reader->drives, reader->n_links, &reader->drive_room, sizeof *drives);
-    reader->drives = drives != NULL ? drives : reader->drives;
-    if (drives == NULL) {
-        return false;
-    }
-    armtol_mass *masses = list_room(reader->masses, reader->n_links, &reader->mass_room, sizeof *masses);
-    reader->masses = masses != NULL ? masses : reader->masses;
-    if (masses == NULL) {
-        return false;
-    }
-    bool *given = list_room(reader->kinds_given, reader->n_links, &reader->given_room, sizeof *given);
-    reader->kinds_given = given != NULL ? given : reader->kinds_given;
-    return given != NULL;
+    reader->rows = rows;
+    file_place *couples = list_room(reader->couples, reader->n_rows, &reader->couple_room, sizeof *couples);
+    reader->couples = couples != NULL ? couples : reader->couples;
+    return couples != NULL;
 }
 
 static file_place place_of_kind(const arm_reader *reader)
@@ -116,26 +104,23 @@ static file_place place_of_kind(const arm_reader *reader)
 
 static bool take_row(arm_reader *reader)
 {
-    if (reader->n_links == ARM_MOST_LINKS) {
+    const size_t n = reader->n_rows;
+    if (n == ARM_MOST_LINKS) {
         cells_message(&reader->row, 0, "more than %d links", ARM_MOST_LINKS);
         return false;
     }
-    arm_entry entry;
-    if (!grow(reader) || !arm_row_read(&reader->row, &reader->columns, reader->head.angle_unit, &entry)) {
+    if (!grow(reader) || !arm_row_read(&reader->row, &reader->columns, reader->head.angle_unit, n, &reader->rows[n],
+                                       &reader->couples[n])) {
         return false;
     }
-    reader->links[reader->n_links] = entry.link;
-    reader->drives[reader->n_links] = entry.drive;
-    reader->masses[reader->n_links] = entry.mass;
-    reader->kinds_given[reader->n_links] = entry.kind_given;
+    reader->n_rows++;
     reader->last_kind = place_of_kind(reader);
-    reader->n_links++;
     return true;
 }
 
 static bool read_table(arm_reader *reader)
 {
-    if (!arm_columns_read(&reader->columns, &reader->row)) {
+    if (!arm_columns_read(&reader->columns, &reader->row, reader->head.order == ORDER_CRAIG)) {
         return false;
     }
     if (!reader->head.has_units) {
@@ -145,7 +130,7 @@ static bool read_table(arm_reader *reader)
     const char separator = reader->row.separator;
     for (;;) {
         const line_result result = cells_next(&reader->row, &reader->lines, separator);
-        if (result == LINE_NONE && reader->n_links == 0) {
+        if (result == LINE_NONE && reader->n_rows == 0) {
             return fail_at_line(reader, "the table has no links", "expected a row for each");
         }
         if (result != LINE_THERE) {
@@ -154,45 +139,6 @@ static bool read_table(arm_reader *reader)
         if (!take_row(reader)) {
             return false;
         }
-    }
-}
-
-/* ---- kinds ---- */
-
-static bool fill_kinds(arm_reader *reader, armtol_axis rows[], armtol_kind kinds[])
-{
-    if (rows == NULL || kinds == NULL) {
-        out_of_memory();
-        return false;
-    }
-    /* What overflows has no kinds, and the same is said where it is to be placed. */
-    if (armtol_kinds_of_links(reader->links, reader->n_links, rows, kinds) == ARMTOL_OK) {
-        for (size_t i = 0; i < reader->n_links; i++) {
-            reader->links[i].kind = reader->kinds_given[i] ? reader->links[i].kind : kinds[i];
-        }
-    }
-    return true;
-}
-
-/* The kinds that the table leaves to the axes. */
-static bool choose_kinds(arm_reader *reader)
-{
-    armtol_axis *rows = calloc(reader->n_links, sizeof *rows);
-    armtol_kind *kinds = calloc(reader->n_links, sizeof *kinds);
-    const bool fine = fill_kinds(reader, rows, kinds);
-    free(rows);
-    free(kinds);
-    return fine;
-}
-
-/* No fault: somebody may know that the tool's length is exact. */
-static void warn_of_last_kind(const arm_reader *reader)
-{
-    const armtol_link *last = &reader->links[reader->n_links - 1];
-    const bool parallel = fabs(sin(last->alpha)) <= ARMTOL_USUAL_SNAP && last->beta == 0;
-    if (last->joint == ARMTOL_REVOLUTE && last->kind == ARMTOL_PPR && parallel && last->d != 0) {
-        file_message(&reader->last_kind, "note: the last link is ppr, which counts its d, the length of the tool, as exact; "
-                                         "npr, as auto makes it, does not");
     }
 }
 
@@ -217,23 +163,65 @@ static bool name_after_file(arm_reader *reader)
     return true;
 }
 
+static bool follows_another(const arm_reader *reader, size_t row)
+{
+    return reader->rows[row].motion.follows != row;
+}
+
+/* What a row follows has to be another's joint with a motor of its own. */
+static bool check_couple(const arm_reader *reader, size_t row)
+{
+    const arm_entry *rows = reader->rows;
+    const size_t leader = rows[row].motion.follows;
+    const char *fault = NULL;
+    if (leader >= reader->n_rows) {
+        fault = "and there is no such row; rows are counted from 0";
+    } else if (rows[leader].link.joint == ARMTOL_FIXED) {
+        fault = "which has no joint";
+    } else if (follows_another(reader, leader)) {
+        fault = "which follows another itself; expected the row of the joint that the motor moves";
+    }
+    if (fault != NULL) {
+        file_message(&reader->couples[row], "couple: the joint follows that of row %zu, %s", leader, fault);
+    }
+    return fault == NULL;
+}
+
+static bool check_couples(const arm_reader *reader)
+{
+    bool fine = true;
+    for (size_t i = 0; i < reader->n_rows && fine; i++) {
+        fine = !follows_another(reader, i) || check_couple(reader, i);
+    }
+    return fine;
+}
+
 static bool make_model(arm_reader *reader, arm_model *model)
 {
     char *const *texts = reader->head.texts;
-    if (!name_after_file(reader)) {
+    if (!check_couples(reader) || !name_after_file(reader)) {
         return false;
     }
-    const armtol_arm arm = {
+    const armtol_arm heading = {
         .name = texts[TEXT_NAME],
         .title = texts[TEXT_TITLE] != NULL ? texts[TEXT_TITLE] : texts[TEXT_NAME],
         .source = texts[TEXT_SOURCE] != NULL ? texts[TEXT_SOURCE] : "not given",
         .unit = reader->head.length_unit,
-        .n_links = reader->n_links,
-        .links = reader->links,
-        .drives = reader->drives,
-        .masses = reader->columns.place[COLUMN_MASS] != NO_PLACE ? reader->masses : NULL,
     };
-    return arm_model_make(model, &arm, reader->head.angle_unit);
+    const arm_rows rows = {reader->rows, reader->n_rows, reader->columns.place[COLUMN_MASS] != NO_PLACE};
+    const bool craig = reader->head.order == ORDER_CRAIG;
+    return (craig ? craig_rows_make : arm_rows_make)(&rows, &heading, reader->head.angle_unit, model);
+}
+
+/* No fault: somebody may know that the tool's length is exact. */
+static void warn_of_last_kind(const arm_reader *reader, const armtol_arm *arm)
+{
+    const armtol_link *last = &arm->links[arm->n_links - 1];
+    const bool parallel = fabs(sin(last->alpha)) <= ARMTOL_USUAL_SNAP && last->beta == 0;
+    if (last->joint == ARMTOL_REVOLUTE && last->kind == ARMTOL_PPR && parallel && last->d != 0) {
+        file_message(&reader->last_kind, "note: the last link is ppr, which counts its d, the length of the tool, as exact; "
+                                         "npr, as auto makes it, does not");
+    }
 }
 
 bool arm_file_read(FILE *stream, const char *path, arm_model *model)
@@ -241,10 +229,9 @@ bool arm_file_read(FILE *stream, const char *path, arm_model *model)
     arm_reader reader;
     *model = (arm_model){.arm = {.name = NULL}};
     start(&reader, stream, path);
-    const bool fine =
-        read_head(&reader) && read_table(&reader) && choose_kinds(&reader) && make_model(&reader, model);
+    const bool fine = read_head(&reader) && read_table(&reader) && make_model(&reader, model);
     if (fine) {
-        warn_of_last_kind(&reader);
+        warn_of_last_kind(&reader, &model->arm);
     }
     end(&reader);
     return fine;

@@ -1,5 +1,6 @@
 #include "armtol/tables/arm_file.h"
 
+#include "armtol/tables/arm_rows.h"
 #include "armtol/tables/arm_table.h"
 #include "armtol/tables/degrees.h"
 #include "console/number.h"
@@ -46,34 +47,57 @@ static bool mass_is_known(const armtol_mass *mass, arm_column column)
     return column == COLUMN_MASS || mass->center[column - COLUMN_COM_X] != 0;
 }
 
-/* Also where the number says no more than the default does; -0 is another number than 0. */
-static bool is_known(const armtol_arm *arm, size_t index, arm_column column)
+static bool motion_is_known(const arm_entry *row, size_t index, arm_column column)
 {
-    const armtol_link *link = &arm->links[index];
+    const bool coupled = row->motion.follows != index;
+    switch (column) {
+    case COLUMN_SIGN:
+        return row->motion.sign != 1;
+    case COLUMN_MULTIPLIER:
+        return coupled && row->motion.multiplier != 1;
+    case COLUMN_OFFSET:
+        return coupled && (row->motion.offset != 0 || signbit(row->motion.offset));
+    default:
+        return coupled;
+    }
+}
+
+/* Also where the number says no more than the default does; -0 is another number than 0. */
+static bool is_known(const arm_entry *row, size_t index, bool has_masses, arm_column column)
+{
     if (column == COLUMN_BETA) {
-        return link->beta != 0 || signbit(link->beta);
+        return row->link.beta != 0 || signbit(row->link.beta);
     }
     if (arm_column_is_mass(column)) {
-        return arm->masses != NULL && mass_is_known(&arm->masses[index], column);
+        return has_masses && mass_is_known(&row->mass, column);
     }
-    return !arm_column_is_drive(column) ||
-           (link->joint != ARMTOL_FIXED && drive_is_known(&arm->drives[index], column));
+    if (arm_column_is_motion(column)) {
+        return row->link.joint != ARMTOL_FIXED && motion_is_known(row, index, column);
+    }
+    return !arm_column_is_drive(column) || (row->link.joint != ARMTOL_FIXED && drive_is_known(&row->drive, column));
 }
 
 static const char *cell_of(const arm_writer *writer, size_t index, arm_column column, number_text *room)
 {
-    arm_entry entry = arm_entry_of(writer->arm, index);
+    arm_entry row = arm_entry_of(writer->arm, index);
     if (column == COLUMN_KIND) {
-        return armtol_kind_name(entry.link.kind);
+        return armtol_kind_name(row.link.kind);
     }
     if (column == COLUMN_JOINT) {
-        return arm_joint_name(entry.link.joint);
+        return arm_joint_name(row.link.joint);
     }
-    if (arm_column_is_drive(column) && !is_known(writer->arm, index, column)) {
+    /* a dash for the sign of a joint would be taken for a minus */
+    const bool sign = column == COLUMN_SIGN && row.link.joint != ARMTOL_FIXED;
+    if (!sign && (arm_column_is_motion(column) || arm_column_is_drive(column)) &&
+        !is_known(&row, index, false, column)) {
         return "-";
     }
-    const double value = *arm_column_number(column, &entry);
-    const bool degrees = writer->angle_unit == UNIT_DEGREE && arm_column_is_angle(column, entry.link.joint);
+    if (column == COLUMN_COUPLE) {
+        snprintf(room->text, sizeof room->text, "%zu", row.motion.follows);
+        return room->text;
+    }
+    const double value = *arm_column_number(column, &row);
+    const bool degrees = writer->angle_unit == UNIT_DEGREE && arm_column_is_angle(column, row.link.joint);
     return degrees ? degrees_shortest(value, room) : number_shortest(value, &armtol_errata_none, room);
 }
 
@@ -83,7 +107,8 @@ static bool any_known(const armtol_arm *arm, arm_column column)
 {
     bool any = false;
     for (size_t i = 0; i < arm->n_links; i++) {
-        any = any || is_known(arm, i, column);
+        const arm_entry row = arm_entry_of(arm, i);
+        any = any || is_known(&row, i, arm->masses != NULL, column);
     }
     return any;
 }
@@ -156,13 +181,29 @@ static void write_table(const arm_writer *writer, FILE *stream)
     }
 }
 
-void arm_file_write(const armtol_arm *arm, angle_unit angle_unit, FILE *stream)
+static void write_arm(const armtol_arm *arm, row_order order, angle_unit angle_unit, FILE *stream)
 {
     arm_writer writer = {.arm = arm, .angle_unit = angle_unit};
     choose_columns(&writer);
     write_text("name", arm->name, stream);
     write_text("title", arm->title, stream);
     write_text("source", arm->source, stream);
+    fputs(order == ORDER_CRAIG ? "order: craig\n" : "", stream);
     fprintf(stream, "units: %s %s\n\n", armtol_length_unit_name(arm->unit), angle_unit == UNIT_DEGREE ? "deg" : "rad");
     write_table(&writer, stream);
+}
+
+bool arm_file_write(const armtol_arm *arm, row_order order, angle_unit angle_unit, FILE *stream)
+{
+    if (order == ORDER_PAUL) {
+        write_arm(arm, order, angle_unit, stream);
+        return true;
+    }
+    arm_model table;
+    const bool fine = craig_rows_of(arm, angle_unit, &table);
+    if (fine) {
+        write_arm(&table.arm, order, angle_unit, stream);
+        arm_model_free(&table);
+    }
+    return fine;
 }

@@ -8,11 +8,12 @@
 #include <string.h>
 #include <strings.h>
 
-enum { KEY_UNITS = ARM_TEXTS, KEYS };
+enum { KEY_UNITS = ARM_TEXTS, KEY_ORDER, KEYS };
 static const char *const key_names[KEYS] = {
-    [TEXT_NAME] = "name", [TEXT_TITLE] = "title", [TEXT_SOURCE] = "source", [KEY_UNITS] = "units"};
+    [TEXT_NAME] = "name", [TEXT_TITLE] = "title", [TEXT_SOURCE] = "source", [KEY_UNITS] = "units",
+    [KEY_ORDER] = "order"};
 
-static const char expected_units[] = "expected a unit of length, mm or m, and one of angles, deg or rad";
+static const char expected_units[] = "expected a unit of length, mm, m or in, and one of angles, deg or rad";
 
 void arm_head_start(arm_head *head)
 {
@@ -64,7 +65,14 @@ static file_place place_of(const text_lines *lines, const char *at)
 
 static bool is_given(const arm_head *head, int key)
 {
-    return key == KEY_UNITS ? head->has_units : head->texts[key] != NULL;
+    switch (key) {
+    case KEY_UNITS:
+        return head->has_units;
+    case KEY_ORDER:
+        return head->has_order;
+    default:
+        return head->texts[key] != NULL;
+    }
 }
 
 static bool check_key(const arm_head *head, text_lines *lines, const key_word *word, int key)
@@ -72,7 +80,7 @@ static bool check_key(const arm_head *head, text_lines *lines, const key_word *w
     const file_place place = place_of(lines, word->begin);
     if (key == KEYS) {
         word->begin[word->length] = '\0';
-        file_message(&place, "unknown key %s; expected name, title, source or units",
+        file_message(&place, "unknown key %s; expected name, title, source, units or order",
                      message_quote(word->begin, &(quoted){""}));
         return false;
     }
@@ -112,7 +120,7 @@ static bool take_unit(arm_head *head, const char *word, size_t length, found_uni
         const char *name;
         bool is_length;
         int value;
-    } units[] = {{"mm", true, ARMTOL_MILLIMETRE}, {"m", true, ARMTOL_METRE}, {"deg", false, UNIT_DEGREE},
+    } units[] = {{"mm", true, ARMTOL_MILLIMETRE}, {"m", true, ARMTOL_METRE}, {"in", true, ARMTOL_INCH}, {"deg", false, UNIT_DEGREE},
                  {"rad", false, UNIT_RADIAN}};
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
         if (strncasecmp(units[i].name, word, length) == 0 && units[i].name[length] == '\0') {
@@ -165,10 +173,44 @@ static bool take_units(arm_head *head, const cell_row *row, size_t first)
     return true;
 }
 
+static bool set_order(arm_head *head, const cell_row *row, size_t first, const char *word)
+{
+    static const struct {
+        const char *word;
+        row_order order;
+    } orders[] = {{"paul", ORDER_PAUL},   {"standard", ORDER_PAUL},  {"distal", ORDER_PAUL},
+                  {"craig", ORDER_CRAIG}, {"modified", ORDER_CRAIG}, {"proximal", ORDER_CRAIG}};
+    for (size_t i = 0; i < sizeof orders / sizeof orders[0]; i++) {
+        if (strcasecmp(orders[i].word, word) == 0) {
+            head->order = orders[i].order;
+            return head->has_order = true;
+        }
+    }
+    cells_message(row, first, "unknown order %s; expected paul (standard: a row has a and alpha of its own link, often 0 in "
+                              "the last row) or craig (modified: of the link before, often 0 in the first row)",
+                  message_quote(word, &(quoted){""}));
+    return false;
+}
+
+static bool take_order(arm_head *head, const cell_row *row, size_t first)
+{
+    char *word = NULL;
+    const bool fine = take_text(&word, row, first, key_names[KEY_ORDER]) &&
+                      set_order(head, row, first, word != NULL ? word : "");
+    free(word);
+    return fine;
+}
+
 static bool take_value(arm_head *head, int key, const cell_row *row, size_t first)
 {
-    return key == KEY_UNITS ? take_units(head, row, first)
-                            : take_text(&head->texts[key], row, first, key_names[key]);
+    switch (key) {
+    case KEY_UNITS:
+        return take_units(head, row, first);
+    case KEY_ORDER:
+        return take_order(head, row, first);
+    default:
+        return take_text(&head->texts[key], row, first, key_names[key]);
+    }
 }
 
 /* A typed text, which does not begin with a separator, may have some in it; those at its end are of empty cells. */

@@ -16,6 +16,8 @@ typedef struct layer {
     armtol_link *links;
     armtol_drive *drives;
     armtol_mass *masses;
+    armtol_motion *motions;
+    size_t *joint_links; /* of the model's joints: the new links */
     size_t n_links;
     armtol_snapped *snapped;
     size_t n_snapped;
@@ -30,10 +32,12 @@ static bool layer_start(layer *layer, const arm_model *model)
         .links = calloc(most, sizeof *layer->links),
         .drives = calloc(most, sizeof *layer->drives),
         .masses = calloc(most, sizeof *layer->masses),
+        .motions = calloc(most, sizeof *layer->motions),
+        .joint_links = calloc(most, sizeof *layer->joint_links),
         .snapped = calloc(most, sizeof *layer->snapped),
     };
     const bool fine = layer->axes != NULL && layer->links != NULL && layer->drives != NULL && layer->masses != NULL &&
-                      layer->snapped != NULL;
+                      layer->motions != NULL && layer->joint_links != NULL && layer->snapped != NULL;
     if (!fine) {
         out_of_memory();
     }
@@ -46,6 +50,8 @@ static void layer_free(layer *layer)
     free(layer->links);
     free(layer->drives);
     free(layer->masses);
+    free(layer->motions);
+    free(layer->joint_links);
     free(layer->snapped);
 }
 
@@ -63,18 +69,46 @@ static bool find_links(layer *layer, double snap)
                                 layer->snapped, &layer->n_snapped) == ARMTOL_OK;
 }
 
-/* The drives follow their joints; fixed links have none. */
+/* The link of the old arm that has its joint of that number. */
+static size_t link_of_joint(const armtol_arm *arm, size_t joint)
+{
+    size_t link = 0;
+    while (arm->links[link].joint == ARMTOL_FIXED || joint-- > 0) {
+        link++;
+    }
+    return link;
+}
+
+static size_t joint_of_link(const armtol_arm *arm, size_t link)
+{
+    return armtol_joint_count(arm->links, link);
+}
+
+static void note_links(layer *layer)
+{
+    size_t joint = 0;
+    for (size_t i = 0; i < layer->n_links; i++) {
+        if (layer->links[i].joint != ARMTOL_FIXED) {
+            layer->joint_links[joint++] = i;
+        }
+    }
+}
+
+/* Drives and motions follow their joints; fixed links have none. */
 static void move_drives(layer *layer)
 {
     const armtol_arm *arm = &layer->model->arm;
-    size_t from = 0;
+    note_links(layer);
     for (size_t i = 0; i < layer->n_links; i++) {
         layer->drives[i] = armtol_drive_unknown;
-        if (layer->links[i].joint != ARMTOL_FIXED) {
-            while (arm->links[from].joint == ARMTOL_FIXED) {
-                from++;
-            }
-            layer->drives[i] = arm->drives[from++];
+        layer->motions[i] = (armtol_motion){.follows = i, .multiplier = 1, .sign = 1};
+    }
+    for (size_t joint = 0; joint < layer->n_axes; joint++) {
+        const size_t from = link_of_joint(arm, joint), to = layer->joint_links[joint];
+        layer->drives[to] = arm->drives[from];
+        if (arm->motions != NULL) {
+            layer->motions[to] = arm->motions[from];
+            layer->motions[to].follows = layer->joint_links[joint_of_link(arm, arm->motions[from].follows)];
         }
     }
 }
@@ -91,6 +125,7 @@ static bool replace(layer *layer, arm_model *model, const arm_laying *laying)
     arm.n_links = layer->n_links;
     arm.links = layer->links;
     arm.drives = layer->drives;
+    arm.motions = arm.motions != NULL ? layer->motions : NULL;
     if (!arm_model_make(&laid, &arm, model->angle_unit)) {
         return false;
     }

@@ -3,13 +3,15 @@
 
 #include "armtol/tables/arm_model.h"
 #include "armtol/tables/arm_table.h"
+#include "console/file_message.h"
 
 #include <stdbool.h>
 
 /*
- * A row of an arm's table below its head row; where its kind is not given, that is for the whole table to say. False
- * after a message.
+ * Row number `index` of an arm's table, from 0. The kind is ARMTOL_KIND_COUNT where the table leaves it to us, and what the
+ * row follows is not looked at: *couple is where it says so. False after a message.
  */
-bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, arm_entry *entry);
+bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, size_t index, arm_entry *entry,
+                  file_place *couple);
 
 #endif

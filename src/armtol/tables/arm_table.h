@@ -16,6 +16,10 @@ typedef enum arm_column {
     COLUMN_D,
     COLUMN_THETA,
     COLUMN_BETA,
+    COLUMN_SIGN,
+    COLUMN_COUPLE,
+    COLUMN_MULTIPLIER,
+    COLUMN_OFFSET,
     COLUMN_LOW,
     COLUMN_HIGH,
     COLUMN_BACKLASH,
@@ -37,7 +41,8 @@ const char *arm_column_name(arm_column column);
 /* Whether a table may do without it, or without a value in it. */
 bool arm_column_is_optional(arm_column column);
 
-/* Whether it is about the drive of a joint, or about the mass of a link. */
+/* Whether it is about how a joint moves, about its drive, or about the mass of a link. A fixed link has only the last. */
+bool arm_column_is_motion(arm_column column);
 bool arm_column_is_drive(arm_column column);
 bool arm_column_is_mass(arm_column column);
 
@@ -49,11 +54,11 @@ typedef struct arm_entry {
     armtol_link link;
     armtol_drive drive;
     armtol_mass mass;
+    armtol_motion motion; /* follows: a row, this one or another */
     double stiffness, bits;
-    bool kind_given; /* else the link's kind is that of its joint alone */
 } arm_entry;
 
-/* The number that the column is about; not of kind and joint. */
+/* The number that the column is about; not of kind, joint and couple. */
 double *arm_column_number(arm_column column, arm_entry *entry);
 
 /* The entry of an arm's link. */
@@ -77,7 +82,7 @@ typedef struct arm_columns {
     size_t place[ARM_COLUMNS]; /* NO_PLACE where there is no such column */
 } arm_columns;
 
-/* False after a message. */
-bool arm_columns_read(arm_columns *columns, const cell_row *row);
+/* craig: the table is in Craig's order, as far as is known. False after a message. */
+bool arm_columns_read(arm_columns *columns, const cell_row *row, bool craig);
 
 #endif
