@@ -532,6 +532,8 @@ static void check_all_wrong(const wrong_file wrong[], size_t n)
 
 #define CHECK_ALL_WRONG(files) check_all_wrong(files, sizeof(files) / sizeof(files)[0])
 
+#define OLD_CODE "; the text is in an older code than UTF-8; save the file as UTF-8"
+
 static void test_what_is_no_urdf(void)
 {
     static const wrong_file wrong[] = {
@@ -544,7 +546,11 @@ static void test_what_is_no_urdf(void)
         {"<robot name='r'><link name='a' name='b'/></robot>", NULL, NULL,
          ":1:32: not XML: duplicate attribute"},
         {"<robot name='&r;'/>", NULL, NULL, ":1:1: not XML: undefined entity"},
-        {"<?xml version='1.0' encoding='runes'?><robot/>", NULL, NULL, ":1:31: not XML: unknown encoding"},
+        {"<?xml version='1.0' encoding='runes'?><robot/>", NULL, NULL, ":1:31: not XML: unknown encoding" OLD_CODE},
+        {"<?xml version='1.0'?>\n<!-- Gr\xf6\xdf" "e -->", NULL, NULL,
+         ":2:8: not XML: not well-formed (invalid token)" OLD_CODE},
+        {"<robot name='\xe9'/>", NULL, NULL, ":1:14: not XML: not well-formed (invalid token)" OLD_CODE},
+        {"<robot name='r'>& </robot>", NULL, NULL, ":1:18: not XML: not well-formed (invalid token)"},
         {"<sdf version='1.6'/>", NULL, NULL,
          ":1:1: the file holds \"sdf\"; expected a URDF, <robot name=\"...\">"},
         {"<!DOCTYPE robot [<!ENTITY a 'aaaa'><!ENTITY b '&a;&a;'>]><robot name='&b;'/>", NULL, NULL,
@@ -554,13 +560,13 @@ static void test_what_is_no_urdf(void)
         {"<robot/>", NULL, NULL, ":1:1: <robot> has no name"},
         {ROBOT(""), NULL, NULL, " has no <link>"},
         {ROBOT("<xacro:arm prefix=''/>"), NULL, NULL,
-         ":1:17: the file holds \"xacro:arm\", which is xacro; expand it with xacro first"},
-        {ROBOT("<gazebo>\n<xacro:if value='1'/></gazebo>"), NULL, NULL,
-         ":2:1: the file holds \"xacro:if\", which is xacro; expand it with xacro first"},
+         ":1:17: the file holds \"xacro:arm\", which is xacro; expand it with xacro first, or say --xacro"},
+        {ROBOT("<gazebo/>\n<xacro:if value='1'/>"), NULL, NULL,
+         ":2:1: the file holds \"xacro:if\", which is xacro; expand it with xacro first, or say --xacro"},
         {ROBOT("<link name='${prefix}base'/>"), NULL, NULL,
-         ":1:17: <link> holds \"${prefix}base\", which is xacro; expand the file with xacro first"},
+         ":1:17: <link> holds \"${prefix}base\", which is xacro; expand the file with xacro first, or say --xacro"},
         {ONE_JOINT("revolute", "<origin xyz='0 0 $(arg z)'/>"), NULL, NULL,
-         ":1:116: <origin> holds \"0 0 $(arg z)\", which is xacro; expand the file with xacro first"},
+         ":1:116: <origin> holds \"0 0 $(arg z)\", which is xacro; expand the file with xacro first, or say --xacro"},
     };
     CHECK_ALL_WRONG(wrong);
 }
@@ -572,8 +578,8 @@ static void test_what_is_missing_or_no_number(void)
         {ROBOT("<link name=''/>"), NULL, NULL, ":1:17: <link> has no name"},
         {ROBOT("<link of='name' color='red'/>"), NULL, NULL, ":1:17: <link> has no name"},
         {ROBOT("<joint type='fixed'/>"), NULL, NULL, ":1:17: <joint> has no name"},
-        {ROBOT("<joint name='j'/>"), NULL, NULL, ":1:17: <joint> has no type"},
-        {ROBOT(TWO_LINKS "\n<joint name='j' type='ball'/>"), NULL, NULL,
+        {ROBOT(TWO_LINKS "\n<joint name='j'>" ENDS "</joint>"), NULL, NULL, ":2:1: <joint> has no type"},
+        {ROBOT(TWO_LINKS "\n" JOINT("ball", "")), NULL, NULL,
          ":2:1: joint \"j\" is of type \"ball\"; expected fixed, revolute, continuous, prismatic, "
          "planar or floating"},
         {ROBOT(TWO_LINKS "\n<joint name='j' type='fixed'><child link='b'/></joint>"), NULL, NULL,
@@ -631,7 +637,7 @@ static void test_a_number_that_is_too_long(void)
 {
     char text[600] = "<robot name='r'><joint name='j' type='fixed'><origin xyz='0 0 0.";
     memset(text + strlen(text), '3', 200);
-    strcat(text, "'/></joint></robot>");
+    strcat(text, "'/><parent link='a'/><child link='b'/></joint><link name='a'/><link name='b'/></robot>");
     check_wrong(&(wrong_file){
         text, NULL, NULL,
         ":1:46: xyz of <origin>: \"0.33333333333333333333333333333333333333...\" is too long"});
@@ -697,7 +703,7 @@ static void test_a_second_name_is_found_wherever_it_is(void)
     }
 }
 
-#define REFUSED "; an arm's joints are fixed, revolute, continuous or prismatic, each with a motor of its own"
+#define REFUSED "; an arm's joints are fixed, revolute, continuous or prismatic"
 
 static void test_a_chain_that_is_not_there(void)
 {
@@ -707,17 +713,15 @@ static void test_a_chain_that_is_not_there(void)
         {two_arms, NULL, "hand",
          " has no link \"hand\"; it has \"ball\", \"grip\", \"left\", \"right\", \"torso\""},
         {two_arms, NULL, NULL,
-         " has several links at the end; choose the tool's with --tip: \"ball\", \"grip\""},
-        {two_arms, "right", "left", ": link \"left\" is not below link \"right\""},
-        {two_arms, "right", "torso", ": link \"torso\" is not below link \"right\""},
+         " has several links at the end; choose the tool's with --tip: \"grip\" (2 joints), \"ball\" (1 joint)"},
+        {ROBOT("<link name='c'/>" TWO_LINKS JOINT("revolute", "")), "c", "b",
+         ": no joints lead from link \"c\" to link \"b\"; they are in different trees"},
         {two_arms, "right", "right",
          ": the joints from link \"right\" to link \"right\" make no arm: none of them moves"},
-        {two_arms, "torso", "grip",
-         ":3:1: joint \"g\" mimics another" REFUSED},
         {two_arms, "torso", "ball",
-         ":4:1: joint \"f\" is floating" REFUSED},
+         ":4:1: joint \"f\" is floating" REFUSED "; begin below it, with --base ball"},
         {ONE_JOINT("planar", ""), NULL, NULL,
-         ":1:49: joint \"j\" is planar" REFUSED},
+         ":1:49: joint \"j\" is planar" REFUSED "; begin below it, with --base b"},
         {ONE_JOINT("fixed", ""), NULL, NULL,
          ": the joints from link \"a\" to link \"b\" make no arm: none of them moves"},
         {ROBOT(TWO_LINKS), NULL, "b",
@@ -796,7 +800,7 @@ static void test_damaged_files(void)
             damage(&source, bytes, &length);
         }
         if (read_stream(stream_of(bytes, length), "some/arm.urdf", "base_link", "tool0", &model, &said)) {
-            TEST_ASSERT_EQUAL_STRING("", said.text);
+            TEST_ASSERT_TRUE(said.text[0] == '\0' || strstr(said.text, "warning: ") != NULL);
             TEST_ASSERT_EQUAL(ARMTOL_OK, armtol_links_check(model.arm.links, model.arm.n_links));
             arm_model_free(&model);
             n_read++;

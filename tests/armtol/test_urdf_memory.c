@@ -45,34 +45,77 @@ void tearDown(void)
 {
 }
 
+/* Reads, and frees what it has read. */
+typedef bool reader(FILE *stream);
+
 /* With no allocation that succeeds, with one, with two ... until there are enough. */
-static void check_lack(memory_lack lack)
+static void check_lack(reader *read, FILE *stream, memory_lack lack, long least)
 {
     bool fine = false;
     long n = 0;
+    TEST_ASSERT_NOT_NULL(stream);
     for (; !fine; n++) {
-        arm_model model;
         said said;
-        FILE *const stream = fopen(TEST_UR5E, "r");
-        TEST_ASSERT_NOT_NULL(stream);
+        rewind(stream);
         said_begin();
         memory_is_left(n, lack);
-        fine = urdf_read(stream, "ur5e.urdf", "base_link", "tool0", &model);
+        fine = read(stream);
         TEST_ASSERT_TRUE(fine != memory_was_short());
         memory_is_enough();
         said_end(&said);
-        fclose(stream);
         TEST_ASSERT_EQUAL_STRING(fine ? "" : "armtol: out of memory\n", said.text);
-        arm_model_free(&model);
     }
-    /* A name for each of 11 links, three for each of 10 joints, four tables of an arm, five parts of it. */
-    TEST_ASSERT_TRUE(n > 11 + 3 * 10 + 4 + 5);
+    fclose(stream);
+    TEST_ASSERT_TRUE(n > least);
+}
+
+static bool read_ur5e(FILE *stream)
+{
+    arm_model model;
+    const bool fine = urdf_read(stream, "ur5e.urdf", "base_link", "tool0", &model);
+    arm_model_free(&model);
+    return fine;
 }
 
 static void test_the_ur5e(void)
 {
-    check_lack(LACK_FOR_GOOD);
-    check_lack(LACK_ONCE);
+    /* A name for each of 11 links, three for each of 10 joints, seven tables of an arm, five parts of it. */
+    check_lack(read_ur5e, fopen(TEST_UR5E, "r"), LACK_FOR_GOOD, 11 + 3 * 10 + 7 + 5);
+    check_lack(read_ur5e, fopen(TEST_UR5E, "r"), LACK_ONCE, 11 + 3 * 10 + 7 + 5);
+}
+
+/* One that follows, one with a fault that does not matter, and leaves of which one is to be found. */
+static const char coupled[] =
+    "<robot name='r'><link name='a'/><link name='b'/><link name='c'/><link name='d'/>"
+    "<joint name='j' type='revolute'><parent link='a'/><child link='b'/></joint>"
+    "<joint name='k' type='revolute'><parent link='b'/><child link='c'/><mimic joint='j'/></joint>"
+    "<joint name='l' type='ball'><parent link='a'/><child link='d'/></joint></robot>";
+
+static bool read_coupled(FILE *stream)
+{
+    arm_model model;
+    const bool fine = urdf_read(stream, "arm.urdf", NULL, NULL, &model);
+    arm_model_free(&model);
+    return fine;
+}
+
+static bool draw_coupled(FILE *stream)
+{
+    static const urdf_units units = {1, 1, "m", "rad"};
+    FILE *const drawn = fopen("/dev/null", "w");
+    const bool fine = drawn != NULL && urdf_draw(stream, "arm.urdf", &units, drawn);
+    if (drawn != NULL) {
+        fclose(drawn);
+    }
+    return fine;
+}
+
+static void test_a_robot_with_a_follower(void)
+{
+    for (memory_lack lack = LACK_FOR_GOOD; lack < LACKS; lack++) {
+        check_lack(read_coupled, stream_of(coupled, sizeof coupled - 1), lack, 4 + 3 * 3 + 2 + 7 + 6);
+        check_lack(draw_coupled, stream_of(coupled, sizeof coupled - 1), lack, 4 + 3 * 3 + 2 + 2);
+    }
 }
 
 int main(void)
@@ -80,5 +123,6 @@ int main(void)
     message_start("armtol");
     UNITY_BEGIN();
     RUN_TEST(test_the_ur5e);
+    RUN_TEST(test_a_robot_with_a_follower);
     return UNITY_END();
 }

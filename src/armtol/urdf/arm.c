@@ -2,7 +2,10 @@
 
 #include "armtol/axes.h"
 #include "armtol/transform.h"
+#include "armtol/urdf/chain_check.h"
+#include "armtol/urdf/follower.h"
 #include "armtol/urdf/masses.h"
+#include "armtol/urdf/origin.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 
@@ -15,29 +18,38 @@
 typedef struct parts {
     armtol_axis *axes;
     armtol_drive *axis_drives; /* of the axes */
+    size_t *joints;            /* of the tree, of the axes */
     size_t n_axes;
     armtol_transform tip; /* of the chain so far, all joints at 0 */
     armtol_link *links;
-    armtol_drive *drives; /* of the links */
-    armtol_mass *masses;  /* likewise */
+    armtol_drive *drives;   /* of the links */
+    armtol_mass *masses;    /* likewise */
     bool has_masses;
+    armtol_motion *motions; /* of the links */
+    size_t *link_of_axis;
     size_t n_links;
     urdf_carried *carried; /* of the links of the tree */
 } parts;
 
 static bool parts_start(parts *parts, size_t most_axes, size_t n_tree_links)
 {
+    const size_t most_links = ARMTOL_LINKS_OF_AXES(most_axes);
     *parts = (struct parts){
         .axes = calloc(most_axes + 1, sizeof *parts->axes),
         .axis_drives = calloc(most_axes + 1, sizeof *parts->axis_drives),
+        .joints = calloc(most_axes + 1, sizeof *parts->joints),
         .tip = armtol_transform_identity(),
-        .links = calloc(ARMTOL_LINKS_OF_AXES(most_axes), sizeof *parts->links),
-        .drives = calloc(ARMTOL_LINKS_OF_AXES(most_axes), sizeof *parts->drives),
-        .masses = calloc(ARMTOL_LINKS_OF_AXES(most_axes), sizeof *parts->masses),
+        .links = calloc(most_links, sizeof *parts->links),
+        .drives = calloc(most_links, sizeof *parts->drives),
+        .masses = calloc(most_links, sizeof *parts->masses),
         .carried = calloc(n_tree_links, sizeof *parts->carried),
+        .motions = calloc(most_links, sizeof *parts->motions),
+        .link_of_axis = calloc(most_axes + 1, sizeof *parts->link_of_axis),
     };
-    const bool fine = parts->axes != NULL && parts->axis_drives != NULL && parts->links != NULL &&
-                      parts->drives != NULL && parts->masses != NULL && parts->carried != NULL;
+    const bool fine = parts->axes != NULL && parts->axis_drives != NULL && parts->joints != NULL &&
+                      parts->links != NULL && parts->drives != NULL && parts->masses != NULL &&
+                      parts->carried != NULL && parts->motions != NULL &&
+                      parts->link_of_axis != NULL;
     if (!fine) {
         out_of_memory();
     }
@@ -48,55 +60,56 @@ static void parts_free(parts *parts)
 {
     free(parts->axes);
     free(parts->axis_drives);
+    free(parts->joints);
     free(parts->links);
     free(parts->drives);
     free(parts->masses);
     free(parts->carried);
+    free(parts->motions);
+    free(parts->link_of_axis);
 }
 
 /* ---- joints to axes ---- */
 
-static void add_axis(parts *parts, const urdf_joint *joint)
+/* The axis is the same seen from both sides of the joint; seen from the child's, the parent turns the other way. */
+static void add_axis(parts *parts, const urdf_tree *tree, size_t index, bool up)
 {
+    const urdf_joint *const joint = &tree->joints[index];
     armtol_axis *const axis = &parts->axes[parts->n_axes];
     *axis = (armtol_axis){.joint = joint->type == URDF_PRISMATIC ? ARMTOL_PRISMATIC : ARMTOL_REVOLUTE};
     for (int i = 0; i < 3; i++) {
         axis->point[i] = parts->tip.m[i][3];
         for (int k = 0; k < 3; k++) {
-            axis->direction[i] += parts->tip.m[i][k] * joint->axis[k];
+            axis->direction[i] += parts->tip.m[i][k] * (up ? -joint->axis[k] : joint->axis[k]);
         }
     }
     armtol_drive *const drive = &parts->axis_drives[parts->n_axes];
     *drive = armtol_drive_unknown;
     drive->low = joint->low;
     drive->high = joint->high;
-    parts->n_axes++;
+    parts->joints[parts->n_axes++] = index;
 }
 
-static bool refuse(const urdf_joint *joint, const char *what)
+static void go(parts *parts, const armtol_transform *step)
 {
-    file_message(&joint->place,
-                 "joint %s %s; an arm's joints are fixed, revolute, continuous or prismatic, "
-                 "each with a motor of its own",
-                 message_quote(joint->name, &(quoted){""}), what);
-    return false;
+    parts->tip = armtol_transform_product(&parts->tip, step, &armtol_errata_none);
 }
 
-static bool add_joint(parts *parts, const urdf_joint *joint)
+static void add_joint(parts *parts, const urdf_tree *tree, size_t index, bool up)
 {
-    if (joint->type == URDF_PLANAR || joint->type == URDF_FLOATING) {
-        return refuse(joint, joint->type == URDF_PLANAR ? "is planar" : "is floating");
+    const armtol_transform origin = urdf_joint_origin(&tree->joints[index]);
+    const armtol_transform back = armtol_transform_inverse(&origin, &armtol_errata_none);
+    if (!up) {
+        go(parts, &origin);
     }
-    if (joint->mimics) {
-        return refuse(joint, "mimics another");
+    if (urdf_joint_moves(&tree->joints[index])) {
+        add_axis(parts, tree, index, up);
     }
-    const armtol_transform origin = urdf_joint_origin(joint);
-    parts->tip = armtol_transform_product(&parts->tip, &origin, &armtol_errata_none);
-    if (joint->type != URDF_FIXED) {
-        add_axis(parts, joint);
+    if (up) {
+        go(parts, &back);
+    } else {
+        parts->carried[tree->joints[index].child] = (urdf_carried){true, parts->n_axes, parts->tip};
     }
-    parts->carried[joint->child] = (urdf_carried){true, parts->n_axes, parts->tip};
-    return true;
 }
 
 /* ---- axes to links ---- */
@@ -124,9 +137,34 @@ static bool make_links(const urdf_tree *tree, const urdf_chain *chain, parts *pa
     size_t axis = 0;
     for (size_t i = 0; i < parts->n_links; i++) {
         const bool moves = parts->links[i].joint != ARMTOL_FIXED;
-        parts->drives[i] = moves ? parts->axis_drives[axis++] : armtol_drive_unknown;
+        parts->drives[i] = moves ? parts->axis_drives[axis] : armtol_drive_unknown;
+        parts->motions[i] = (armtol_motion){.follows = i, .multiplier = 1, .sign = 1};
+        if (moves) {
+            parts->link_of_axis[axis++] = i;
+        }
     }
     return true;
+}
+
+/* Joints that mimic another of the chain; *any where there are such. */
+static bool make_motions(const urdf_tree *tree, parts *parts, bool *any)
+{
+    urdf_follower *const followers = calloc(parts->n_axes, sizeof *followers);
+    if (followers == NULL) {
+        out_of_memory();
+        return false;
+    }
+    const bool fine = urdf_followers_find(tree, parts->joints, parts->n_axes, followers);
+    *any = false;
+    for (size_t axis = 0; axis < parts->n_axes && fine; axis++) {
+        armtol_motion *const motion = &parts->motions[parts->link_of_axis[axis]];
+        motion->follows = parts->link_of_axis[followers[axis].leader];
+        motion->multiplier = followers[axis].multiplier;
+        motion->offset = followers[axis].offset;
+        *any = *any || followers[axis].leader != axis;
+    }
+    free(followers);
+    return fine;
 }
 
 /* ---- names ---- */
@@ -151,7 +189,8 @@ static void make_word(char *text)
     }
 }
 
-static bool make_model(const urdf_tree *tree, const urdf_chain *chain, const parts *parts, arm_model *model)
+static bool make_model(const urdf_tree *tree, const urdf_chain *chain, const parts *parts, bool any_motion,
+                       arm_model *model)
 {
     char name[64], title[128], source[512];
     const char *const slash = strrchr(tree->path, '/');
@@ -172,23 +211,35 @@ static bool make_model(const urdf_tree *tree, const urdf_chain *chain, const par
         .links = parts->links,
         .drives = parts->drives,
         .masses = parts->has_masses ? parts->masses : NULL,
+        .motions = any_motion ? parts->motions : NULL,
     };
     return arm_model_make(model, &arm, UNIT_RADIAN);
+}
+
+/* Where the chain goes up, the links hang from another base than the one that the masses are carried by. */
+static bool make_masses(const urdf_tree *tree, const urdf_chain *chain, parts *parts)
+{
+    return chain->n_up > 0 || urdf_masses_make(tree, parts->carried, parts->links, parts->n_links, parts->masses,
+                                               &parts->has_masses);
 }
 
 bool urdf_arm_make(const urdf_tree *tree, const urdf_chain *chain, arm_model *model)
 {
     parts parts;
+    bool any_motion;
+    if (!urdf_chain_check(tree, chain)) {
+        return false;
+    }
     bool fine = parts_start(&parts, chain->n_joints, tree->n_links);
-    if (fine) {
-        parts.carried[chain->base] = (urdf_carried){.known = true, .at = armtol_transform_identity()};
-    }
     for (size_t i = 0; i < chain->n_joints && fine; i++) {
-        fine = add_joint(&parts, &tree->joints[chain->joints[i]]);
+        add_joint(&parts, tree, chain->joints[i], i < chain->n_up);
     }
-    fine = fine && make_links(tree, chain, &parts) &&
-           urdf_masses_make(tree, parts.carried, parts.links, parts.n_links, parts.masses, &parts.has_masses) &&
-           make_model(tree, chain, &parts, model);
+    fine = fine && make_links(tree, chain, &parts) && make_motions(tree, &parts, &any_motion) &&
+           make_masses(tree, chain, &parts) &&
+           make_model(tree, chain, &parts, any_motion, model);
     parts_free(&parts);
+    if (fine) {
+        urdf_chain_warn(tree, chain);
+    }
     return fine;
 }

@@ -3,9 +3,22 @@
 #include "console/message.h"
 #include "console/number.h"
 
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
 
 static const char blanks[] = " \t\r\n";
+
+bool urdf_element_fault(const urdf_element *element, const char *format, ...)
+{
+    if (element->fault->text[0] == '\0') {
+        va_list arguments;
+        va_start(arguments, format);
+        vsnprintf(element->fault->text, sizeof element->fault->text, format, arguments);
+        va_end(arguments);
+    }
+    return false;
+}
 
 const char *urdf_attribute(const urdf_element *element, const char *attribute)
 {
@@ -20,19 +33,16 @@ const char *urdf_attribute(const urdf_element *element, const char *attribute)
 bool urdf_is_expanded(const urdf_element *element, const char *value)
 {
     const bool expanded = strstr(value, "${") == NULL && strstr(value, "$(") == NULL;
-    if (!expanded) {
-        file_message(&element->place, "<%s> holds %s, which is xacro; expand the file with xacro first",
-                     element->name, message_quote(value, &(quoted){""}));
-    }
-    return expanded;
+    return expanded || urdf_element_fault(element, "<%.40s> holds %s, which is xacro; expand the file with xacro first, or "
+                                                   "say --xacro",
+                                          element->name, message_quote(value, &(quoted){""}));
 }
 
 bool urdf_attribute_text(const urdf_element *element, const char *attribute, const char **text)
 {
     *text = urdf_attribute(element, attribute);
     if (*text == NULL || **text == '\0') {
-        file_message(&element->place, "<%s> has no %s", element->name, attribute);
-        return false;
+        return urdf_element_fault(element, "<%.40s> has no %s", element->name, attribute);
     }
     return urdf_is_expanded(element, *text);
 }
@@ -54,16 +64,14 @@ static bool next_word(const char **text, char word[], size_t room)
 static bool wrong_number(const urdf_element *element, const char *attribute, const char *word,
                          number_fault fault)
 {
-    file_message(&element->place, "%s of <%s>: %s %s", attribute, element->name,
-                 message_quote(word, &(quoted){""}), number_fault_text(fault));
-    return false;
+    return urdf_element_fault(element, "%s of <%.40s>: %s %s", attribute, element->name, message_quote(word, &(quoted){""}),
+                              number_fault_text(fault));
 }
 
 static bool wrong_count(const urdf_element *element, const char *attribute, size_t count, const char *value)
 {
-    file_message(&element->place, "%s of <%s> is %s; expected %zu number%s", attribute, element->name,
-                 message_quote(value, &(quoted){""}), count, count == 1 ? "" : "s set apart by blanks");
-    return false;
+    return urdf_element_fault(element, "%s of <%.40s> is %s; expected %zu number%s", attribute, element->name,
+                              message_quote(value, &(quoted){""}), count, count == 1 ? "" : "s set apart by blanks");
 }
 
 bool urdf_attribute_numbers(const urdf_element *element, const char *attribute, size_t count,

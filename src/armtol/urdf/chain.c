@@ -14,18 +14,30 @@ enum { MOST_NAMES = 8 };
 typedef struct name_list {
     size_t n;
     size_t last; /* the link added last */
-    char text[MOST_NAMES * (sizeof(quoted) + 2) + 32];
+    char text[MOST_NAMES * (sizeof(quoted) + 32) + 32];
 } name_list;
 
-static void list_add(name_list *list, const urdf_tree *tree, size_t link)
+static void list_add_text(name_list *list, const char *name, const char *remark)
 {
     if (list->n < MOST_NAMES) {
         const size_t at = strlen(list->text);
-        snprintf(list->text + at, sizeof list->text - at, "%s%s", list->n > 0 ? ", " : "",
-                 message_quote(tree->links[link].name, &(quoted){""}));
+        snprintf(list->text + at, sizeof list->text - at, "%s%s%s", list->n > 0 ? ", " : "",
+                 message_quote(name, &(quoted){""}), remark);
     }
     list->n++;
+}
+
+static void list_add(name_list *list, const urdf_tree *tree, size_t link)
+{
+    list_add_text(list, tree->links[link].name, "");
     list->last = link;
+}
+
+static void list_add_joints(name_list *list, const urdf_tree *tree, size_t link, size_t n_joints)
+{
+    char remark[32];
+    snprintf(remark, sizeof remark, " (%zu joint%s)", n_joints, n_joints == 1 ? "" : "s");
+    list_add_text(list, tree->links[link].name, remark);
 }
 
 static const char *list_text(name_list *list)
@@ -84,48 +96,144 @@ static bool find_root(const urdf_tree *tree, size_t *root)
     return roots.n == 1;
 }
 
-static bool find_leaf(const urdf_tree *tree, size_t base, size_t *leaf)
+/* ---- the tip ---- */
+
+/* A link at the end, and how many joints move it. */
+typedef struct leaf {
+    size_t link;
+    size_t n_moving;
+} leaf;
+
+typedef struct leaf_list {
+    size_t n;
+    leaf *leaves;
+} leaf_list;
+
+/* The joints that move on the way up to the base. */
+static size_t count_moving(const urdf_tree *tree, size_t link, size_t base)
 {
-    name_list leaves = {0};
-    for (size_t i = 0; i < tree->n_links; i++) {
-        if (tree->links[i].is_leaf && is_below(tree, i, base)) {
-            list_add(&leaves, tree, i);
-        }
+    size_t count = 0;
+    for (; link != base; link = parent_of(tree, link)) {
+        count += urdf_joint_moves(&tree->joints[tree->links[link].above]);
     }
-    *leaf = leaves.last;
-    if (leaves.n != 1) {
-        message("%s has several links at the end; choose the tool's with --tip: %s", tree->path,
-                list_text(&leaves));
-    }
-    return leaves.n == 1;
+    return count;
 }
 
-static bool check_way(const urdf_tree *tree, const urdf_chain *chain)
+static bool list_leaves(const urdf_tree *tree, size_t base, leaf_list *list)
 {
-    const bool fine = is_below(tree, chain->tip, chain->base);
-    if (!fine) {
-        message("%s: link %s is not below link %s", tree->path,
-                message_quote(tree->links[chain->tip].name, &(quoted){""}),
-                message_quote(tree->links[chain->base].name, &(quoted){""}));
+    list->n = 0;
+    list->leaves = calloc(tree->n_links, sizeof *list->leaves);
+    if (list->leaves == NULL) {
+        out_of_memory();
+        return false;
     }
+    for (size_t i = 0; i < tree->n_links; i++) {
+        if (tree->links[i].is_leaf && is_below(tree, i, base)) {
+            list->leaves[list->n++] = (leaf){i, count_moving(tree, i, base)};
+        }
+    }
+    return true;
+}
+
+/* The longest chain first, and links in the order of their names. */
+static int compare_leaves(const void *one, const void *other)
+{
+    const leaf *a = one, *b = other;
+    if (a->n_moving != b->n_moving) {
+        return a->n_moving < b->n_moving ? 1 : -1;
+    }
+    return a->link < b->link ? -1 : a->link > b->link;
+}
+
+static void say_leaves(const urdf_tree *tree, const leaf_list *list, size_t n)
+{
+    name_list names = {0};
+    for (size_t i = 0; i < n; i++) {
+        list_add_joints(&names, tree, list->leaves[i].link, list->leaves[i].n_moving);
+    }
+    message("%s has several links at the end; choose the tool's with --tip: %s", tree->path, list_text(&names));
+}
+
+/* What no joint moves is no tool: a camera on the base, a frame for reference. Where nothing moves any of them is as good. */
+static bool choose_leaf(const urdf_tree *tree, leaf_list *list, size_t *tip)
+{
+    size_t n = 0;
+    qsort(list->leaves, list->n, sizeof *list->leaves, compare_leaves);
+    while (n < list->n && list->leaves[n].n_moving > 0) {
+        n++;
+    }
+    *tip = list->leaves[0].link;
+    if (n > 1) {
+        say_leaves(tree, list, n);
+    }
+    return n <= 1;
+}
+
+static bool find_leaf(const urdf_tree *tree, size_t base, size_t *tip)
+{
+    leaf_list list;
+    if (!list_leaves(tree, base, &list)) {
+        return false;
+    }
+    const bool fine = choose_leaf(tree, &list, tip);
+    free(list.leaves);
     return fine;
 }
 
 /* ---- the way between them ---- */
 
+static size_t depth_of(const urdf_tree *tree, size_t link)
+{
+    size_t depth = 0;
+    while ((link = parent_of(tree, link)) != URDF_NONE) {
+        depth++;
+    }
+    return depth;
+}
+
+/* How many joints are above each end, up to the first link that is above both; false where there is none. */
+static bool meet(const urdf_tree *tree, const urdf_chain *chain, size_t *n_up, size_t *n_down)
+{
+    size_t base = chain->base, tip = chain->tip;
+    size_t base_depth = depth_of(tree, base), tip_depth = depth_of(tree, tip);
+    *n_up = *n_down = 0;
+    while (base != tip && base != URDF_NONE && tip != URDF_NONE) {
+        const bool up = base_depth >= tip_depth, down = tip_depth >= base_depth;
+        base = up ? parent_of(tree, base) : base;
+        tip = down ? parent_of(tree, tip) : tip;
+        base_depth -= up;
+        tip_depth -= down;
+        *n_up += up;
+        *n_down += down;
+    }
+    if (base == URDF_NONE || tip == URDF_NONE) {
+        message("%s: no joints lead from link %s to link %s; they are in different trees", tree->path,
+                message_quote(tree->links[chain->base].name, &(quoted){""}),
+                message_quote(tree->links[chain->tip].name, &(quoted){""}));
+        return false;
+    }
+    return true;
+}
+
 static bool find_joints(const urdf_tree *tree, urdf_chain *chain)
 {
-    chain->n_joints = 0;
-    for (size_t link = chain->tip; link != chain->base; link = parent_of(tree, link)) {
-        chain->n_joints++;
+    size_t n_down;
+    if (!meet(tree, chain, &chain->n_up, &n_down)) {
+        return false;
     }
+    chain->n_joints = chain->n_up + n_down;
     chain->joints = calloc(chain->n_joints + 1, sizeof *chain->joints);
     if (chain->joints == NULL) {
         out_of_memory();
         return false;
     }
-    size_t link = chain->tip;
-    for (size_t i = chain->n_joints; i-- > 0;) {
+    size_t link = chain->base;
+    for (size_t i = 0; i < chain->n_up; i++) {
+        chain->joints[i] = tree->links[link].above;
+        link = parent_of(tree, link);
+    }
+    link = chain->tip;
+    for (size_t i = chain->n_joints; i-- > chain->n_up;) {
         chain->joints[i] = tree->links[link].above;
         link = parent_of(tree, link);
     }
@@ -140,7 +248,7 @@ bool urdf_chain_find(const urdf_tree *tree, const char *base, const char *tip, u
     }
     return (base != NULL ? find_named(tree, base, &chain->base) : find_root(tree, &chain->base)) &&
            (tip != NULL ? find_named(tree, tip, &chain->tip) : find_leaf(tree, chain->base, &chain->tip)) &&
-           check_way(tree, chain) && find_joints(tree, chain);
+           find_joints(tree, chain);
 }
 
 void urdf_chain_free(urdf_chain *chain)

@@ -19,6 +19,7 @@ typedef struct parser {
     bool has_part[PARTS]; /* of the joint at hand */
     bool in_link;         /* the element of depth 2 at hand is a <link> */
     bool has_inertial, has_mass, has_center; /* of the link at hand */
+    urdf_fault fault;     /* of the element at hand */
     bool wrong; /* a message has been given */
 } parser;
 
@@ -26,8 +27,17 @@ typedef struct parser {
 
 static bool read_origin(const urdf_element *element, urdf_joint *joint)
 {
-    return urdf_attribute_numbers(element, "xyz", 3, joint->xyz) &&
-           urdf_attribute_numbers(element, "rpy", 3, joint->rpy);
+    const double *q = joint->quaternion;
+    joint->has_quaternion = urdf_attribute(element, "quat_xyzw") != NULL;
+    if (joint->has_quaternion && urdf_attribute(element, "rpy") != NULL) {
+        return urdf_element_fault(element, "<origin> has both rpy and quat_xyzw; expected one of them");
+    }
+    if (!urdf_attribute_numbers(element, "xyz", 3, joint->xyz) || !urdf_attribute_numbers(element, "rpy", 3, joint->rpy) ||
+        !urdf_attribute_numbers(element, "quat_xyzw", 4, joint->quaternion)) {
+        return false;
+    }
+    const bool fine = !joint->has_quaternion || q[0] != 0 || q[1] != 0 || q[2] != 0 || q[3] != 0;
+    return fine || urdf_element_fault(element, "quat_xyzw of <origin> is 0 0 0 0; expected a rotation");
 }
 
 static bool read_axis(const urdf_element *element, urdf_joint *joint)
@@ -61,19 +71,17 @@ static bool read_limit(const urdf_element *element, urdf_joint *joint)
         !urdf_attribute_numbers(element, "upper", 1, &joint->high)) {
         return false;
     }
-    if (joint->low > joint->high) {
-        file_message(&element->place, "the limits of joint %s are %g and %g; expected lower <= upper",
-                     message_quote(joint->name, &(quoted){""}), joint->low, joint->high);
-        return false;
-    }
-    return true;
+    return joint->low <= joint->high ||
+           urdf_element_fault(element, "the limits of joint %s are %g and %g; expected lower <= upper",
+                              message_quote(joint->name, &(quoted){""}), joint->low, joint->high);
 }
 
 static bool read_mimic(const urdf_element *element, urdf_joint *joint)
 {
-    (void)element;
-    joint->mimics = true;
-    return true;
+    const char *leader;
+    return urdf_attribute_text(element, "joint", &leader) && urdf_tree_keep(&joint->leader_name, leader) &&
+           urdf_attribute_numbers(element, "multiplier", 1, &joint->multiplier) &&
+           urdf_attribute_numbers(element, "offset", 1, &joint->offset);
 }
 
 static const struct {
@@ -85,18 +93,45 @@ static const struct {
     [PART_LIMIT] = {"limit", read_limit},    [PART_MIMIC] = {"mimic", read_mimic},
 };
 
+/* A fault that keeps the tree from being built; without one memory was short, which has been said. */
+static bool say_fault(const urdf_element *element)
+{
+    if (element->fault->text[0] != '\0') {
+        file_message(&element->place, "%s", element->fault->text);
+    }
+    return false;
+}
+
+/* A fault that matters where the joint is needed, the first of it. */
+static bool keep_fault(const urdf_element *element, urdf_joint *joint)
+{
+    if (element->fault->text[0] == '\0') {
+        return false;
+    }
+    if (joint->fault != NULL) {
+        return true;
+    }
+    joint->fault_place = element->place;
+    return urdf_tree_keep(&joint->fault, element->fault->text);
+}
+
+static bool read_part_of(parser *parser, const urdf_element *element, part part, urdf_joint *joint)
+{
+    const bool fine = parser->has_part[part]
+                          ? urdf_element_fault(element, "a second <%s> in joint %s", element->name,
+                                               message_quote(joint->name, &(quoted){""}))
+                          : parts[part].read(element, joint);
+    const bool of_tree = part == PART_PARENT || part == PART_CHILD;
+    parser->has_part[part] = true;
+    return fine || (of_tree ? say_fault(element) : keep_fault(element, joint));
+}
+
 static bool read_part(parser *parser, const urdf_element *element)
 {
     urdf_joint *const joint = &parser->tree->joints[parser->tree->n_joints - 1];
-    for (size_t i = 0; i < PARTS; i++) {
-        if (strcmp(element->name, parts[i].name) == 0) {
-            if (parser->has_part[i]) {
-                file_message(&element->place, "a second <%s> in joint %s", element->name,
-                             message_quote(joint->name, &(quoted){""}));
-                return false;
-            }
-            parser->has_part[i] = true;
-            return parts[i].read(element, joint);
+    for (part part = 0; part < PARTS; part++) {
+        if (strcmp(element->name, parts[part].name) == 0) {
+            return read_part_of(parser, element, part, joint);
         }
     }
     return true;
@@ -114,32 +149,43 @@ static bool read_type(const urdf_element *element, urdf_joint *joint)
             return true;
         }
     }
-    file_message(&element->place,
-                 "joint %s is of type %s; expected fixed, revolute, continuous, prismatic, planar or "
-                 "floating",
-                 message_quote(joint->name, &(quoted){""}), message_quote(type, &(quoted){""}));
-    return false;
+    return urdf_element_fault(element,
+                              "joint %s is of type %s; expected fixed, revolute, continuous, prismatic, planar or "
+                              "floating",
+                              message_quote(joint->name, &(quoted){""}), message_quote(type, &(quoted){""}));
 }
 
 static bool begin_joint(parser *parser, const urdf_element *element)
 {
     const char *name;
     memset(parser->has_part, 0, sizeof parser->has_part);
-    return urdf_attribute_text(element, "name", &name) &&
-           urdf_tree_add_joint(parser->tree, name, &element->place) &&
-           read_type(element, &parser->tree->joints[parser->tree->n_joints - 1]);
+    if (!urdf_attribute_text(element, "name", &name)) {
+        return say_fault(element);
+    }
+    if (!urdf_tree_add_joint(parser->tree, name, &element->place)) {
+        return false;
+    }
+    urdf_joint *const joint = &parser->tree->joints[parser->tree->n_joints - 1];
+    return read_type(element, joint) || keep_fault(element, joint);
 }
 
 static bool has_direction(const urdf_joint *joint)
 {
-    const bool has_axis = joint->type == URDF_REVOLUTE || joint->type == URDF_CONTINUOUS ||
-                          joint->type == URDF_PRISMATIC;
-    return !has_axis || joint->axis[0] != 0 || joint->axis[1] != 0 || joint->axis[2] != 0;
+    return !urdf_joint_moves(joint) || joint->axis[0] != 0 || joint->axis[1] != 0 || joint->axis[2] != 0;
 }
 
-static bool end_joint(const parser *parser)
+static bool check_axis(parser *parser, urdf_joint *joint)
 {
-    const urdf_joint *const joint = &parser->tree->joints[parser->tree->n_joints - 1];
+    const urdf_element element = {.place = joint->place, .fault = &parser->fault};
+    return has_direction(joint) ||
+           urdf_element_fault(&element, "the axis of joint %s is 0 0 0; expected a direction",
+                              message_quote(joint->name, &(quoted){""})) ||
+           keep_fault(&element, joint);
+}
+
+static bool end_joint(parser *parser)
+{
+    urdf_joint *const joint = &parser->tree->joints[parser->tree->n_joints - 1];
     for (int i = PART_PARENT; i <= PART_CHILD; i++) {
         if (!parser->has_part[i]) {
             file_message(&joint->place, "joint %s has no <%s>", message_quote(joint->name, &(quoted){""}),
@@ -147,12 +193,8 @@ static bool end_joint(const parser *parser)
             return false;
         }
     }
-    if (!has_direction(joint)) {
-        file_message(&joint->place, "the axis of joint %s is 0 0 0; expected a direction",
-                     message_quote(joint->name, &(quoted){""}));
-        return false;
-    }
-    return true;
+    parser->fault.text[0] = '\0';
+    return check_axis(parser, joint);
 }
 
 /* ---- one link ---- */
@@ -179,12 +221,8 @@ static bool read_mass(const urdf_element *element, urdf_link *link)
     if (!urdf_attribute_text(element, "value", &text) || !urdf_attribute_numbers(element, "value", 1, &link->mass)) {
         return false;
     }
-    if (link->mass < 0) {
-        file_message(&element->place, "the mass of link %s is %g; expected 0 or more",
-                     message_quote(link->name, &(quoted){""}), link->mass);
-        return false;
-    }
-    return true;
+    return link->mass >= 0 || urdf_element_fault(element, "the mass of link %s is %g; expected 0 or more",
+                                                 message_quote(link->name, &(quoted){""}), link->mass);
 }
 
 /* Of what <inertial> holds the mass and its center matter here; how its axes lie does not. */
@@ -200,7 +238,8 @@ static bool read_inertial(parser *parser, const urdf_element *element)
         return a_second(parser, element);
     }
     *has = true;
-    return mass ? read_mass(element, link) : urdf_attribute_numbers(element, "xyz", 3, link->center);
+    const bool fine = mass ? read_mass(element, link) : urdf_attribute_numbers(element, "xyz", 3, link->center);
+    return fine || say_fault(element);
 }
 
 static bool end_link(const parser *parser)
@@ -235,7 +274,7 @@ static bool begin_robot(parser *parser, const urdf_element *element)
                      message_quote(element->name, &(quoted){""}));
         return false;
     }
-    return urdf_attribute_text(element, "name", &name) && urdf_tree_keep(&parser->tree->robot, name);
+    return urdf_attribute_text(element, "name", &name) ? urdf_tree_keep(&parser->tree->robot, name) : say_fault(element);
 }
 
 static bool begin_link(parser *parser, const urdf_element *element)
@@ -243,8 +282,23 @@ static bool begin_link(parser *parser, const urdf_element *element)
     const char *name;
     parser->in_link = true;
     parser->has_inertial = parser->has_mass = parser->has_center = false;
-    return urdf_attribute_text(element, "name", &name) &&
-           urdf_tree_add_link(parser->tree, name, &element->place);
+    return urdf_attribute_text(element, "name", &name) ? urdf_tree_add_link(parser->tree, name, &element->place)
+                                                       : say_fault(element);
+}
+
+/* What only defines does no harm where nothing uses it; what uses it is looked at where it stands. */
+static bool begin_xacro(parser *parser, const urdf_element *element)
+{
+    static const char *const definitions[] = {"xacro:property", "xacro:arg", "xacro:macro"};
+    for (size_t i = 0; i < sizeof definitions / sizeof definitions[0]; i++) {
+        if (strcmp(element->name, definitions[i]) == 0) {
+            parser->passed_over = parser->depth;
+            return true;
+        }
+    }
+    file_message(&element->place, "the file holds %s, which is xacro; expand it with xacro first, or say --xacro",
+                 message_quote(element->name, &(quoted){""}));
+    return false;
 }
 
 /* A link, a joint, or nothing to us. */
@@ -275,13 +329,11 @@ static bool begin_below(parser *parser, const urdf_element *element)
 
 static bool begin(parser *parser, const urdf_element *element)
 {
-    if (strncmp(element->name, "xacro:", strlen("xacro:")) == 0) {
-        file_message(&element->place, "the file holds %s, which is xacro; expand it with xacro first",
-                     message_quote(element->name, &(quoted){""}));
-        return false;
-    }
     if (parser->passed_over != 0) {
         return true;
+    }
+    if (strncmp(element->name, "xacro:", strlen("xacro:")) == 0) {
+        return begin_xacro(parser, element);
     }
     if (parser->depth == 1) {
         return begin_robot(parser, element);
@@ -293,7 +345,8 @@ static void on_start(void *data, const XML_Char *name, const XML_Char **attribut
 {
     parser *const parser = data;
     if (!parser->wrong) {
-        const urdf_element element = {name, (const char *const *)attributes, place_of(parser)};
+        const urdf_element element = {name, (const char *const *)attributes, place_of(parser), &parser->fault};
+        parser->fault.text[0] = '\0';
         parser->depth++;
         if (!begin(parser, &element)) {
             stop(parser);
@@ -336,6 +389,16 @@ static void on_doctype(void *data, const XML_Char *name, const XML_Char *system,
 
 /* ---- the file ---- */
 
+/* Letters of an older code in a file that does not name it are no UTF-8. */
+static const char *advice(const parser *parser, enum XML_Error error)
+{
+    int offset = 0, size = 0;
+    const char *const text = XML_GetInputContext(parser->xml, &offset, &size);
+    const bool letter = error == XML_ERROR_INVALID_TOKEN && text != NULL && offset < size && (text[offset] & 0x80) != 0;
+    const bool code = error == XML_ERROR_UNKNOWN_ENCODING || error == XML_ERROR_PARTIAL_CHAR;
+    return letter || code ? "; the text is in an older code than UTF-8; save the file as UTF-8" : "";
+}
+
 static bool say_error(const parser *parser)
 {
     const enum XML_Error error = XML_GetErrorCode(parser->xml);
@@ -348,7 +411,7 @@ static bool say_error(const parser *parser)
     } else if (XML_GetCurrentByteIndex(parser->xml) <= 0 && error == XML_ERROR_NO_ELEMENTS) {
         message("%s is empty; expected a URDF, <robot name=\"...\">", parser->tree->path);
     } else {
-        file_message(&place, "not XML: %s", XML_ErrorString(error));
+        file_message(&place, "not XML: %s%s", XML_ErrorString(error), advice(parser, error));
     }
     return false;
 }

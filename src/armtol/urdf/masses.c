@@ -1,16 +1,10 @@
 #include "armtol/urdf/masses.h"
 
-#include "armtol/euler.h"
 #include "armtol/link_transform.h"
+#include "armtol/urdf/origin.h"
 #include "console/exit_code.h"
 
 #include <stdlib.h>
-
-armtol_transform urdf_joint_origin(const urdf_joint *joint)
-{
-    const double *p = joint->xyz, *rpy = joint->rpy;
-    return armtol_pose_to_transform((const double[6]){p[0], p[1], p[2], rpy[0], rpy[1], rpy[2]}, &armtol_errata_none);
-}
 
 /* Up to what is known, and down again; `way` has a place a link. What hangs from nothing known is not carried. */
 static void find_carried(const urdf_tree *tree, urdf_carried carried[], size_t link, size_t way[])

@@ -20,7 +20,4 @@ typedef struct urdf_carried {
 bool urdf_masses_make(const urdf_tree *tree, urdf_carried carried[], const armtol_link links[], size_t n_links,
                       armtol_mass masses[], bool *any);
 
-/* Where a joint puts its child, in the frame of its parent, at joint value 0. */
-armtol_transform urdf_joint_origin(const urdf_joint *joint);
-
 #endif

@@ -13,6 +13,11 @@ const char *const urdf_joint_type_names[URDF_JOINT_TYPES] = {
     [URDF_PRISMATIC] = "prismatic", [URDF_PLANAR] = "planar",     [URDF_FLOATING] = "floating",
 };
 
+bool urdf_joint_moves(const urdf_joint *joint)
+{
+    return joint->type == URDF_REVOLUTE || joint->type == URDF_CONTINUOUS || joint->type == URDF_PRISMATIC;
+}
+
 void urdf_tree_start(urdf_tree *tree, const char *path)
 {
     *tree = (urdf_tree){.path = path};
@@ -27,6 +32,8 @@ void urdf_tree_free(urdf_tree *tree)
         free(tree->joints[i].name);
         free(tree->joints[i].parent_name);
         free(tree->joints[i].child_name);
+        free(tree->joints[i].leader_name);
+        free(tree->joints[i].fault);
     }
     free(tree->links);
     free(tree->joints);
@@ -67,7 +74,14 @@ bool urdf_tree_add_joint(urdf_tree *tree, const char *name, const file_place *pl
     }
     tree->joints = joints;
     urdf_joint *const joint = &joints[tree->n_joints++];
-    *joint = (urdf_joint){.place = *place, .axis = {1, 0, 0}, .low = -INFINITY, .high = INFINITY};
+    *joint = (urdf_joint){
+        .place = *place,
+        .axis = {1, 0, 0},
+        .low = -INFINITY,
+        .high = INFINITY,
+        .multiplier = 1,
+        .leader = URDF_NONE,
+    };
     return urdf_tree_keep(&joint->name, name);
 }
 
@@ -128,8 +142,24 @@ static int compare_joints(const void *one, const void *other)
     return strcmp((*a)->name, (*b)->name);
 }
 
-/* Joints stay in the order of the file. */
-static bool check_joint_names(const urdf_tree *tree)
+static int compare_joint_name(const void *name, const void *joint)
+{
+    const urdf_joint *const *const it = joint;
+    return strcmp(name, (*it)->name);
+}
+
+static void find_leaders(urdf_tree *tree, const urdf_joint *const sorted[])
+{
+    for (size_t i = 0; i < tree->n_joints; i++) {
+        const char *name = tree->joints[i].leader_name;
+        const urdf_joint *const *const found =
+            name != NULL ? bsearch(name, sorted, tree->n_joints, sizeof *sorted, compare_joint_name) : NULL;
+        tree->joints[i].leader = found != NULL ? (size_t)(*found - tree->joints) : URDF_NONE;
+    }
+}
+
+/* Joints stay in the order of the file; who follows whom is found by names in order. */
+static bool check_joint_names(urdf_tree *tree)
 {
     const urdf_joint **const sorted = calloc(tree->n_joints + 1, sizeof *sorted);
     if (sorted == NULL) {
@@ -143,6 +173,9 @@ static bool check_joint_names(const urdf_tree *tree)
     for (size_t i = 1; i < tree->n_joints && fine; i++) {
         fine = strcmp(sorted[i - 1]->name, sorted[i]->name) != 0 ||
                said_twice("<joint>", sorted[i]->name, &sorted[i - 1]->place, &sorted[i]->place);
+    }
+    if (fine) {
+        find_leaders(tree, sorted);
     }
     free(sorted);
     return fine;

@@ -39,12 +39,21 @@ typedef struct urdf_joint {
     file_place place;
     urdf_joint_type type;
     double xyz[3], rpy[3]; /* where the child is at joint value 0, in the frame of the parent */
+    bool has_quaternion;   /* in place of rpy */
+    double quaternion[4];  /* x, y, z, w; of any length but 0 */
     double axis[3];        /* in the frame of the child */
     double low, high;      /* -infinity and infinity where the file does not say */
-    bool mimics;           /* follows another joint */
+    char *leader_name;     /* of <mimic>, NULL where it follows no other joint; its value is */
+    double multiplier, offset; /* multiplier x the leader's + offset */
+    size_t leader;     /* a joint, which need not be there: URDF_NONE; from urdf_tree_connect */
     char *parent_name, *child_name;
     size_t parent, child; /* links; from urdf_tree_connect */
+    char *fault;          /* what is wrong with it, which only matters where it is needed; NULL where nothing is */
+    file_place fault_place;
 } urdf_joint;
+
+/* Whether it is revolute, continuous or prismatic. */
+bool urdf_joint_moves(const urdf_joint *joint);
 
 typedef struct urdf_tree {
     const char *path; /* for messages */

@@ -27,6 +27,15 @@ bool urdf_read(FILE *stream, const char *path, const char *base, const char *tip
     return fine;
 }
 
+bool urdf_draw(FILE *stream, const char *path, const urdf_units *units, FILE *drawn)
+{
+    urdf_tree tree;
+    urdf_tree_start(&tree, path);
+    const bool fine = urdf_parse(stream, &tree) && urdf_tree_connect(&tree) && urdf_tree_draw(&tree, units, drawn);
+    urdf_tree_free(&tree);
+    return fine;
+}
+
 bool urdf_is_built_in(void)
 {
     return true;
