@@ -104,6 +104,7 @@ static int run(const cli_options *options, const arm_model *model)
 
 static int show(arm_model *model, const cli_options *options)
 {
+    bool fine = true;
     units units = units_chosen(options, model);
     const struct units laid = units; /* what was laid anew is told in the arm's own lengths, as they are to be shown */
     if (!arm_model_convert(model, units.length)) {
@@ -114,9 +115,10 @@ static int show(arm_model *model, const cli_options *options)
         json_show(&model->arm, &units);
     } else {
         laying_print(&model->laying, &laid, "# ");
-        arm_file_write(&model->arm, units.angle, stdout);
+        const row_order order = options->craig ? ORDER_CRAIG : ORDER_PAUL;
+        fine = arm_file_write(&model->arm, order, units.angle, stdout);
     }
-    return EXIT_OK;
+    return fine ? EXIT_OK : EXIT_FAILED;
 }
 
 static int with_arm(const cli_options *options)
@@ -147,6 +149,8 @@ static int act(const cli_options *options)
             arm_list_print();
         }
         return EXIT_OK;
+    case CLI_LINKS:
+        return arm_source_draw(options);
     default:
         return with_arm(options);
     }

@@ -285,10 +285,10 @@ static void test_a_limit_may_stand_on_one_side(void)
     static const struct {
         const char *low, *high, *value, *says; /* says NULL: it may be there */
     } cases[] = {
-        {"0", "-", "-5", "-5 is beyond its limits; expected 0 to inf deg"},
-        {"0", "inf", "-1e-6", "-1e-06 is beyond its limits; expected 0 to inf deg"},
-        {"-inf", "90", "450", "450 is beyond its limits; expected -inf to 90 deg"},
-        {"-", "90", "90.000001", "90.000001 is beyond its limits; expected -inf to 90 deg"},
+        {"0", "-", "-5", "-5 is beyond its limits; expected 0 to inf deg (--ignore-limits sets limits aside)"},
+        {"0", "inf", "-1e-6", "-1e-06 is beyond its limits; expected 0 to inf deg (--ignore-limits sets limits aside)"},
+        {"-inf", "90", "450", "450 is beyond its limits; expected -inf to 90 deg (--ignore-limits sets limits aside)"},
+        {"-", "90", "90.000001", "90.000001 is beyond its limits; expected -inf to 90 deg (--ignore-limits sets limits aside)"},
         {"0", "-", "5000", NULL},
         {"-", "90", "-5000", NULL},
         {"0", "90", "-1e-9", NULL}, /* limits are rounded too */
@@ -680,7 +680,7 @@ typedef struct wrong_call {
 static const wrong_call wrong_calls[] = {
     {{"puma560", "--joints", POSE, "--poses", "p.txt", "--accuracy", WISH, NULL},
      "armtol: --joints and --poses exclude each other"},
-    {{ASKED, "--mm", "--metres", NULL}, "armtol: --mm and --metres exclude each other"},
+    {{ASKED, "--mm", "--metres", NULL}, "armtol: --mm, --metres and --inches exclude each other"},
     {{ASKED, "--method", "sphere", "--weights", "theta=2", NULL},
      "armtol: --weights is for the methods worst and rss"},
     {{"puma560", "--joints", POSE, "--tolerances", "t.csv", "--weights", "theta=2", NULL},

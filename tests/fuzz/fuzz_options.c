@@ -86,8 +86,13 @@ static int check_armtol(command_line *line)
         REQUIRE(options.sigma > 0 && isfinite(options.sigma));
         REQUIRE(options.threads <= 1024 && options.verify <= 1000000000000u);
         REQUIRE(options.method < ARMTOL_METHOD_COUNT && options.frame < ARMTOL_FRAME_COUNT);
-        REQUIRE(options.format <= OUTPUT_CSV && options.length <= UNITS_LARGE && options.angle <= UNITS_LARGE);
-        const bool needs_arm = options.action == CLI_ANSWER || options.action == CLI_SHOW;
+        REQUIRE(options.format <= OUTPUT_CSV && options.length <= UNITS_INCHES && options.angle <= UNITS_LARGE);
+        for (size_t i = 0; i < options.n_xacro_arguments; i++) {
+            REQUIRE(options.xacro && strstr(options.xacro_arguments[i], ":=") != NULL);
+        }
+        REQUIRE(options.n_xacro_arguments <= XACRO_ARGUMENTS_MOST);
+        const bool needs_arm =
+            options.action == CLI_ANSWER || options.action == CLI_SHOW || options.action == CLI_LINKS;
         REQUIRE(!needs_arm || options.arm != NULL);
         if (options.action == CLI_ANSWER) {
             check_question(&options);

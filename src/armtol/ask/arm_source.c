@@ -1,5 +1,7 @@
 #include "armtol/ask/arm_source.h"
 
+#include "armtol/ask/units.h"
+#include "armtol/ask/xacro.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tables/arm_laying.h"
 #include "armtol/tables/arm_table.h"
@@ -56,10 +58,14 @@ static int copy_all(FILE *pipe, const char *path, FILE *copy)
     return ferror(pipe) || fflush(copy) != 0 ? cannot_copy(path) : EXIT_OK;
 }
 
-static bool read_file(FILE *stream, const cli_options *options, arm_model *model, bool *is_table)
+static bool is_urdf(FILE *stream)
 {
-    *is_table = first_character(stream) != '<';
-    if (!*is_table) {
+    return first_character(stream) == '<';
+}
+
+static bool read_file(FILE *stream, const cli_options *options, arm_model *model)
+{
+    if (is_urdf(stream)) {
         return urdf_read(stream, options->arm, options->base, options->tip, model);
     }
     if (options->base != NULL || options->tip != NULL) {
@@ -95,12 +101,12 @@ static bool check_angles(const char *path, const arm_model *model)
 }
 
 /* A URDF has digits that decide nothing, a table frames that its author chose, but for those that lie far off. */
-static bool lay(const cli_options *options, bool is_table, arm_model *model)
+static bool lay(const cli_options *options, bool of_urdf, arm_model *model)
 {
-    if (is_table) {
-        return options->as_is || arm_laying_gather(model);
+    if (of_urdf) {
+        return arm_laying_snap(model, options->snap);
     }
-    return arm_laying_snap(model, options->snap);
+    return options->as_is || arm_laying_gather(model);
 }
 
 /* The same for a URDF as for the table that it may be shown as. */
@@ -113,50 +119,64 @@ static bool check_count(const char *path, const arm_model *model)
     return fine;
 }
 
-static int read_and_close(FILE *stream, const cli_options *options, arm_model *model)
+static int read_model(FILE *stream, const cli_options *options, arm_model *model)
 {
-    bool is_table;
-    bool fine = read_file(stream, options, model, &is_table);
-    fclose(stream);
+    const bool of_urdf = is_urdf(stream);
+    bool fine = read_file(stream, options, model);
     if (fine && !(check_count(options->arm, model) && check_angles(options->arm, model) &&
-                  lay(options, is_table, model))) {
+                  lay(options, of_urdf, model))) {
         arm_model_free(model);
         fine = false;
     }
     return fine ? EXIT_OK : EXIT_WRONG;
 }
 
+/* ---- the file ---- */
+
 /* By way of a copy, since a pipe cannot be wound back. */
-static int read_pipe(FILE *pipe, const cli_options *options, arm_model *model)
+static int copy_pipe(FILE *pipe, const char *path, FILE **copy)
 {
-    FILE *copy = tmpfile();
-    if (copy == NULL) {
-        return cannot_copy(options->arm);
+    *copy = tmpfile();
+    if (*copy == NULL) {
+        return cannot_copy(path);
     }
-    const int code = copy_all(pipe, options->arm, copy);
+    const int code = copy_all(pipe, path, *copy);
     if (code != EXIT_OK) {
-        fclose(copy);
-        return code;
+        fclose(*copy);
+    } else {
+        rewind(*copy);
     }
-    rewind(copy);
-    return read_and_close(copy, options, model);
+    return code;
 }
 
-static int open_and_read(const cli_options *options, arm_model *model)
+static bool is_to_be_expanded(const cli_options *options)
 {
-    FILE *stream = fopen(options->arm, "rb");
-    if (stream == NULL) {
+    static const char ending[] = ".xacro";
+    const size_t length = strlen(options->arm), n = sizeof ending - 1;
+    return options->xacro || (length >= n && strcmp(options->arm + length - n, ending) == 0);
+}
+
+/* A stream that can be wound back. EXIT_OK, or an exit code after a message. */
+static int open_arm(const cli_options *options, FILE **stream)
+{
+    *stream = fopen(options->arm, "rb");
+    if (*stream == NULL) {
         exit_code_note_error(errno);
         const bool a_word = errno == ENOENT && strpbrk(options->arm, "./") == NULL;
         message(a_word ? "%s is neither a built-in arm (see --list) nor a file" : "%s: %s", options->arm,
                 strerror(errno));
         return EXIT_WRONG;
     }
-    if (fseek(stream, 0, SEEK_SET) == 0) {
-        return read_and_close(stream, options, model);
+    if (is_to_be_expanded(options)) {
+        fclose(*stream);
+        return xacro_expand(options->arm, options->xacro_arguments, options->n_xacro_arguments, stream);
     }
-    const int code = read_pipe(stream, options, model);
-    fclose(stream);
+    if (fseek(*stream, 0, SEEK_SET) == 0) {
+        return EXIT_OK;
+    }
+    FILE *const pipe = *stream;
+    const int code = copy_pipe(pipe, options->arm, stream);
+    fclose(pipe);
     return code;
 }
 
@@ -164,11 +184,50 @@ int arm_source_read(const cli_options *options, arm_model *model)
 {
     const armtol_arm *built_in = armtol_arm_named(options->arm);
     if (built_in == NULL) {
-        return open_and_read(options, model);
+        FILE *stream;
+        const int opened = open_arm(options, &stream);
+        if (opened != EXIT_OK) {
+            return opened;
+        }
+        const int code = read_model(stream, options, model);
+        fclose(stream);
+        return code;
     }
-    if (options->base != NULL || options->tip != NULL) {
-        message("--base and --tip are for URDF files, and %s is a built-in arm", options->arm);
+    if (options->base != NULL || options->tip != NULL || options->xacro) {
+        message("--base, --tip and --xacro are for URDF files, and %s is a built-in arm", options->arm);
         return EXIT_WRONG;
     }
     return arm_model_make(model, built_in, UNIT_RADIAN) ? EXIT_OK : EXIT_FAILED;
+}
+
+static int draw(FILE *stream, const cli_options *options)
+{
+    const units shown = {
+        .arm = ARMTOL_METRE,
+        .length = options->length == UNITS_OF_ARM ? ARMTOL_METRE : units_chosen_length(options->length),
+        .angle = options->angle == UNITS_SMALL ? UNIT_DEGREE : UNIT_RADIAN,
+    };
+    const urdf_units units = {units_shown(&shown, true, 1), units_shown(&shown, false, 1), units_name(&shown, true),
+                              units_name(&shown, false)};
+    if (!is_urdf(stream)) {
+        message("--links is for URDF files, and %s is none", options->arm);
+        return EXIT_WRONG;
+    }
+    return urdf_draw(stream, options->arm, &units, stdout) ? EXIT_OK : EXIT_WRONG;
+}
+
+int arm_source_draw(const cli_options *options)
+{
+    FILE *stream;
+    if (armtol_arm_named(options->arm) != NULL) {
+        message("--links is for URDF files, and %s is a built-in arm", options->arm);
+        return EXIT_WRONG;
+    }
+    const int opened = open_arm(options, &stream);
+    if (opened != EXIT_OK) {
+        return opened;
+    }
+    const int code = draw(stream, options);
+    fclose(stream);
+    return code;
 }

@@ -14,7 +14,7 @@ enum { NAMED = 8 };
 static armtol_status ask_for_the_known(const request *request, size_t place, armtol_answer **answer)
 {
     const size_t n_loads = request->loading.n_payloads > 0 ? request->loading.n_payloads : 1;
-    const size_t n_joints = armtol_joint_count(request->arm.links, request->arm.n_links);
+    const size_t n_joints = armtol_arm_joint_count(&request->arm);
     armtol_loading loading = request->loading;
     armtol_question question = request->question;
     question.q = request->q + place / n_loads * n_joints;

@@ -23,6 +23,7 @@ enum {
     OPTION_RADIANS,
     OPTION_MM,
     OPTION_METRES,
+    OPTION_INCHES,
     OPTION_TOOL_OFFSET,
     OPTION_FRAME,
     OPTION_METHOD,
@@ -45,10 +46,14 @@ enum {
     OPTION_TIP,
     OPTION_SNAP,
     OPTION_AS_IS,
+    OPTION_XACRO,
+    OPTION_IGNORE_LIMITS,
     OPTION_JSON,
     OPTION_CSV,
     OPTION_LIST,
-    OPTION_SHOW
+    OPTION_LINKS,
+    OPTION_SHOW,
+    OPTION_CRAIG
 };
 
 static const struct option long_options[] = {
@@ -60,6 +65,7 @@ static const struct option long_options[] = {
     {"radians", no_argument, NULL, OPTION_RADIANS},
     {"mm", no_argument, NULL, OPTION_MM},
     {"metres", no_argument, NULL, OPTION_METRES},
+    {"inches", no_argument, NULL, OPTION_INCHES},
     {"tool-offset", required_argument, NULL, OPTION_TOOL_OFFSET},
     {"frame", required_argument, NULL, OPTION_FRAME},
     {"method", required_argument, NULL, OPTION_METHOD},
@@ -82,14 +88,20 @@ static const struct option long_options[] = {
     {"tip", required_argument, NULL, OPTION_TIP},
     {"snap", required_argument, NULL, OPTION_SNAP},
     {"as-is", no_argument, NULL, OPTION_AS_IS},
+    {"xacro", no_argument, NULL, OPTION_XACRO},
+    {"ignore-limits", no_argument, NULL, OPTION_IGNORE_LIMITS},
     {"json", no_argument, NULL, OPTION_JSON},
     {"csv", no_argument, NULL, OPTION_CSV},
     {"list", no_argument, NULL, OPTION_LIST},
+    {"links", no_argument, NULL, OPTION_LINKS},
     {"show", no_argument, NULL, OPTION_SHOW},
+    {"craig", no_argument, NULL, OPTION_CRAIG},
     {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},
     {NULL, 0, NULL, 0},
 };
+
+static const char length_options[] = "--mm, --metres and --inches";
 
 static const char *const frame_names[ARMTOL_FRAME_COUNT] = {"base", "tool"};
 
@@ -290,9 +302,17 @@ static bool take_one(int option, const char *argument, void *context)
     case OPTION_RADIANS:
         return take_units(UNITS_LARGE, "--degrees and --radians", &options->angle);
     case OPTION_MM:
-        return take_units(UNITS_SMALL, "--mm and --metres", &options->length);
+        return take_units(UNITS_SMALL, length_options, &options->length);
     case OPTION_METRES:
-        return take_units(UNITS_LARGE, "--mm and --metres", &options->length);
+        return take_units(UNITS_LARGE, length_options, &options->length);
+    case OPTION_INCHES:
+        return take_units(UNITS_INCHES, length_options, &options->length);
+    case OPTION_XACRO:
+        return options->xacro = true;
+    case OPTION_IGNORE_LIMITS:
+        return options->ignore_limits = true;
+    case OPTION_CRAIG:
+        return options->craig = true;
     case OPTION_AS_IS:
         return options->as_is = true;
     case OPTION_BUDGET:
@@ -312,6 +332,8 @@ static bool take_one(int option, const char *argument, void *context)
         return take_format(OUTPUT_CSV, options);
     case OPTION_LIST:
         return take_action(CLI_LIST, options);
+    case OPTION_LINKS:
+        return take_action(CLI_LINKS, options);
     case OPTION_SHOW:
         return take_action(CLI_SHOW, options);
     case 'h':
@@ -328,8 +350,22 @@ static bool take(int option, const char *argument, void *context)
     return is_first(option, context) && take_one(option, argument, context);
 }
 
-static bool take_arm(const char *argument, cli_options *options)
+static bool take_xacro_argument(const char *argument, cli_options *options)
 {
+    if (options->n_xacro_arguments == XACRO_ARGUMENTS_MOST) {
+        message("--xacro: more than %d arguments", XACRO_ARGUMENTS_MOST);
+        return false;
+    }
+    options->xacro_arguments[options->n_xacro_arguments++] = argument;
+    return true;
+}
+
+/* Behind --xacro, a NAME:=VALUE is for xacro. */
+static bool take_word(const char *argument, cli_options *options)
+{
+    if (options->xacro && strstr(argument, ":=") != NULL) {
+        return take_xacro_argument(argument, options);
+    }
     if (options->arm != NULL) {
         return flags_wrong("unexpected argument", argument);
     }
@@ -337,7 +373,7 @@ static bool take_arm(const char *argument, cli_options *options)
     return true;
 }
 
-/* The arm may stand before, between and behind the options. */
+/* The arm, and what is for xacro, may stand before, between and behind the options. */
 static bool read_all(int argc, char *argv[], cli_options *options)
 {
     for (;;) {
@@ -347,11 +383,11 @@ static bool read_all(int argc, char *argv[], cli_options *options)
         if (optind >= argc) {
             return true;
         }
-        if (!take_arm(argv[optind], options)) {
+        if (!take_word(argv[optind], options)) {
             return false;
         }
         argc -= optind;
-        argv += optind; /* the arm is passed over like a program's name */
+        argv += optind; /* the word is passed over like a program's name */
         optind = 1;
     }
 }
@@ -400,7 +436,13 @@ static const char *fault_of(const cli_options *options)
     if (options->arm == NULL) {
         return "the arm is missing; expected a name of --list or a file";
     }
-    return options->action == CLI_SHOW ? NULL : fault_of_question(options);
+    if (options->craig && options->action != CLI_SHOW) {
+        return "--craig is for --show";
+    }
+    if (options->craig && options->format == OUTPUT_JSON) {
+        return "--craig writes a table; expected no --json with it";
+    }
+    return options->action == CLI_SHOW || options->action == CLI_LINKS ? NULL : fault_of_question(options);
 }
 
 int cli_options_parse(int argc, char *argv[], cli_options *options)

@@ -9,17 +9,24 @@
 
 enum { MOST_PAYLOADS = 64 };
 
-typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_HELP, CLI_VERSION } cli_action;
+typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_LINKS, CLI_HELP, CLI_VERSION } cli_action;
 
 typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
 
-typedef enum unit_choice { UNITS_OF_ARM, UNITS_SMALL, UNITS_LARGE } unit_choice;
+typedef enum unit_choice { UNITS_OF_ARM, UNITS_SMALL, UNITS_LARGE, UNITS_INCHES } unit_choice;
+
+enum { XACRO_ARGUMENTS_MOST = 100 };
 
 /* The command line. Texts are as typed: what they mean depends on the arm. NULL where not given. */
 typedef struct cli_options {
     cli_action action;
     const char *arm;         /* a built-in arm's name, or a file */
     const char *base, *tip;  /* of a URDF */
+    bool xacro;              /* the arm is to be expanded, with these: */
+    size_t n_xacro_arguments;
+    const char *xacro_arguments[XACRO_ARGUMENTS_MOST]; /* NAME:=VALUE */
+    bool craig;              /* show the table in Craig's order */
+    bool ignore_limits;
     double snap;             /* armtol_links_of_axes, of a URDF */
     bool as_is;              /* a table's frames stay where they are */
     const char *joints;
@@ -37,7 +44,7 @@ typedef struct cli_options {
     size_t n_payloads;
     bool wish_motors;
     armtol_frame frame;
-    unit_choice length; /* small: mm, large: m */
+    unit_choice length; /* small: mm, large: m, or inches */
     unit_choice angle;  /* small: degrees, large: radians */
     armtol_method method;
     double sigma; /* standard deviations */

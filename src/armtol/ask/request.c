@@ -28,36 +28,65 @@ static double size_of_end(double end)
     return isinf(end) ? 0 : fabs(end);
 }
 
-static bool check_limits(const units *units, const armtol_arm *arm, size_t link, size_t joint, size_t pose, double q)
+/* Who moves: a joint, or a link that follows one. */
+static const char *mover_text(const armtol_arm *arm, size_t link, char *text, size_t room)
+{
+    size_t joint = 0;
+    for (size_t i = 0; i < link; i++) {
+        joint += armtol_arm_is_driven(arm, i);
+    }
+    if (armtol_arm_is_driven(arm, link)) {
+        snprintf(text, room, "joint %zu", joint + 1);
+    } else {
+        snprintf(text, room, "link %zu, which follows link %zu", link, arm->motions[link].follows);
+    }
+    return text;
+}
+
+static void say_limits(const units *units, const armtol_arm *arm, size_t link, size_t pose, double value)
+{
+    const armtol_drive *drive = &arm->drives[link];
+    const bool none = drive->low == 0 && drive->high == 0;
+    char mover[80];
+    message("pose %zu, %s: %s is beyond its limits; expected %s to %s %s (%s--ignore-limits sets limits aside)", pose + 1,
+            mover_text(arm, link, mover, sizeof mover), joint_text(units, &arm->links[link], value, &(number_text){""}),
+            joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
+            joint_text(units, &arm->links[link], drive->high, &(number_text){""}),
+            units_name(units, arm->links[link].joint == ARMTOL_PRISMATIC),
+            none ? "limits of 0 and 0 often mean that none are known: " : "");
+}
+
+static bool check_limits(const units *units, const armtol_arm *arm, size_t link, size_t pose, double value)
 {
     const armtol_drive *drive = &arm->drives[link];
     const double slack = 1e-9 * fmax(size_of_end(drive->low), size_of_end(drive->high)); /* limits are rounded too */
-    if (q < drive->low - slack || q > drive->high + slack) {
-        message("pose %zu, joint %zu: %s is beyond its limits; expected %s to %s %s", pose + 1, joint + 1,
-                joint_text(units, &arm->links[link], q, &(number_text){""}),
-                joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
-                joint_text(units, &arm->links[link], drive->high, &(number_text){""}),
-                units_name(units, arm->links[link].joint == ARMTOL_PRISMATIC));
-        return false;
+    const bool fine = value >= drive->low - slack && value <= drive->high + slack;
+    if (!fine) {
+        say_limits(units, arm, link, pose, value);
     }
-    return true;
+    return fine;
 }
 
-/* From the user's units to inside ones, each value within its joint's limits. */
-static bool take_pose(const units *units, const armtol_arm *arm, size_t pose, double q[])
+static bool check_pose(const units *units, const armtol_arm *arm, size_t pose, const double q[])
+{
+    bool fine = true;
+    for (size_t i = 0; i < arm->n_links && fine; i++) {
+        fine = arm->links[i].joint == ARMTOL_FIXED ||
+               check_limits(units, arm, i, pose, armtol_arm_joint_value(arm, q, i));
+    }
+    return fine;
+}
+
+/* From the user's units to inside ones. */
+static void take_pose(const units *units, const armtol_arm *arm, double q[])
 {
     size_t joint = 0;
     for (size_t i = 0; i < arm->n_links; i++) {
-        const armtol_joint moved = arm->links[i].joint;
-        if (moved != ARMTOL_FIXED) {
-            q[joint] = units_taken(units, moved == ARMTOL_PRISMATIC, q[joint]);
-            if (!check_limits(units, arm, i, joint, pose, q[joint])) {
-                return false;
-            }
+        if (armtol_arm_is_driven(arm, i)) {
+            q[joint] = units_taken(units, arm->links[i].joint == ARMTOL_PRISMATIC, q[joint]);
             joint++;
         }
     }
-    return true;
 }
 
 static bool read_poses(const char *path, size_t n_joints, double **poses, size_t *n_poses)
@@ -87,7 +116,7 @@ static bool parse_joints(const char *text, const armtol_arm *arm, size_t n_joint
 /* The poses are to be freed, also after a message. */
 static bool get_poses(const cli_options *options, const armtol_arm *arm, double **poses, size_t *n_poses)
 {
-    const size_t n_joints = armtol_joint_count(arm->links, arm->n_links);
+    const size_t n_joints = armtol_arm_joint_count(arm);
     return options->poses != NULL ? read_poses(options->poses, n_joints, poses, n_poses)
                                   : parse_joints(options->joints, arm, n_joints, poses, n_poses);
 }
@@ -108,11 +137,13 @@ static bool take_tool(const cli_options *options, const units *units, armtol_too
 static bool take_poses(request *request)
 {
     const armtol_arm *arm = request->question.arm;
-    const size_t n_joints = armtol_joint_count(arm->links, arm->n_links);
+    const size_t n_joints = armtol_arm_joint_count(arm);
     bool fine = take_tool(request->options, &request->units, &request->question.tool) &&
                 get_poses(request->options, arm, &request->q, &request->question.n_poses);
     for (size_t pose = 0; fine && pose < request->question.n_poses; pose++) {
-        fine = take_pose(&request->units, arm, pose, request->q + pose * n_joints);
+        double *const q = request->q + pose * n_joints;
+        take_pose(&request->units, arm, q);
+        fine = request->options->ignore_limits || check_pose(&request->units, arm, pose, q);
     }
     request->question.q = request->q;
     return fine;

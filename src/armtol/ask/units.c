@@ -7,15 +7,25 @@
 
 #define PI 3.14159265358979323846
 
+armtol_length_unit units_chosen_length(unit_choice choice)
+{
+    return choice == UNITS_SMALL ? ARMTOL_MILLIMETRE : choice == UNITS_LARGE ? ARMTOL_METRE : ARMTOL_INCH;
+}
+
 /* How many millimetres a unit has. */
 static double millimetres(armtol_length_unit unit)
 {
-    return unit == ARMTOL_METRE ? 1000 : 1;
+    static const double counts[ARMTOL_LENGTH_UNIT_COUNT] = {
+        [ARMTOL_MILLIMETRE] = 1, [ARMTOL_METRE] = 1000, [ARMTOL_INCH] = 25.4};
+    return counts[unit];
 }
 
-/* The product first, unless no double holds that one. */
+/* The product first, unless no double holds that one; exactly as it is where nothing changes. */
 static double scaled(double value, double factor, double divisor)
 {
+    if (factor == divisor) {
+        return value;
+    }
     const double product = value * factor;
     return isinf(product) ? value / divisor * factor : product / divisor;
 }
@@ -54,7 +64,7 @@ units units_chosen(const cli_options *options, const arm_model *model)
 {
     units units = {model->arm.unit, model->arm.unit, model->angle_unit};
     if (options->length != UNITS_OF_ARM) {
-        units.length = options->length == UNITS_SMALL ? ARMTOL_MILLIMETRE : ARMTOL_METRE;
+        units.length = units_chosen_length(options->length);
     }
     if (options->angle != UNITS_OF_ARM) {
         units.angle = options->angle == UNITS_SMALL ? UNIT_DEGREE : UNIT_RADIAN;

@@ -15,6 +15,9 @@ typedef struct units {
     angle_unit angle;
 } units;
 
+/* The length that an option chose: --mm, --metres or --inches. */
+armtol_length_unit units_chosen_length(unit_choice choice);
+
 /* From inside to the user's, and back. */
 double units_shown(const units *units, bool is_length, double value);
 double units_taken(const units *units, bool is_length, double value);

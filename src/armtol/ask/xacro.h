@@ -1,0 +1,13 @@
+#ifndef ARMTOL_ASK_XACRO_H
+#define ARMTOL_ASK_XACRO_H
+
+#include <stddef.h>
+#include <stdio.h>
+
+/*
+ * What the program xacro makes of a file, with arguments NAME:=VALUE: a stream at its start, the caller's to close. The
+ * program is the one on the PATH, and no shell is between. EXIT_OK, or an exit code after a message.
+ */
+int xacro_expand(const char *path, const char *const arguments[], size_t n_arguments, FILE **expanded);
+
+#endif
