@@ -16,7 +16,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
-.PHONY: analyse coverage fuzz mutants
+.PHONY: analyse coverage fuzz mutants robots
 .PHONY: page test-page
 .PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
 
@@ -77,6 +77,12 @@ FUZZ_SECONDS ?= 600
 fuzz: setup $(BUILD)/wished-expat
 	@.ci/setup clang
 	@tests/fuzz/run-fuzzers $(BUILD)/fuzz $(FUZZ_SECONDS) $(JOBS)
+
+# Every chain of every robot that three Python packages ship, read and compared with a plain reader. Needs Python and its
+# package index; takes some minutes the first time.
+robots: all
+	@.ci/setup venv
+	@tests/robots/robots $(BUILD)/armtol $(abspath $(BUILD))/robots
 
 # How fast the library is, beside loops written by hand: compiled for this machine, then as it comes.
 bench: setup
