@@ -81,7 +81,9 @@ static armtol_fault check_masses(const armtol_arm *arm)
 armtol_fault question_check_drives(const armtol_question *question)
 {
     armtol_fault fault = check_loading(question);
-    fault = fault.status == ARMTOL_OK ? check_masses(question->arm) : fault;
+    if (fault.status == ARMTOL_OK) {
+        fault = check_masses(question->arm);
+    }
     return fault.status == ARMTOL_OK ? check_each(question) : fault;
 }
 
