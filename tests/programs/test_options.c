@@ -30,8 +30,7 @@ static void print_with(const tested *program, const char *option, process *proce
 
 static void test_short_options_print_what_long_ones_do(void)
 {
-    static const char *const pairs[][2] = {
-        {"--help", "-h"}, {"--version", "-V"}, {"--list-errata", "-l"}, {"--list-errata", "--list"}};
+    static const char *const pairs[][2] = {{"--help", "-h"}, {"--version", "-V"}, {"--list-errata", "-l"}};
     for (int i = 0; i < PROGRAMS; i++) {
         for (size_t j = 0; j < sizeof pairs / sizeof pairs[0]; j++) {
             process with_long, with_short;
