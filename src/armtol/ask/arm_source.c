@@ -1,12 +1,12 @@
 #include "armtol/ask/arm_source.h"
 
 #include "armtol/ask/units.h"
-#include "armtol/ask/xacro.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tables/arm_laying.h"
 #include "armtol/tables/arm_table.h"
 #include "armtol/tables/degrees.h"
 #include "armtol/urdf/urdf.h"
+#include "armtol/urdf/xacro.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 

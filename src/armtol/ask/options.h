@@ -2,6 +2,7 @@
 #define ARMTOL_ASK_OPTIONS_H
 
 #include "armtol/question.h"
+#include "armtol/urdf/xacro.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,8 +15,6 @@ typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_LINKS, CLI_HELP, C
 typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
 
 typedef enum unit_choice { UNITS_OF_ARM, UNITS_SMALL, UNITS_LARGE, UNITS_INCHES } unit_choice;
-
-enum { XACRO_ARGUMENTS_MOST = 100 };
 
 /* The command line. Texts are as typed: what they mean depends on the arm. NULL where not given. */
 typedef struct cli_options {

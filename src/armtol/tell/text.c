@@ -3,7 +3,7 @@
 #include "armtol/euler.h"
 #include "armtol/tell/laying.h"
 #include "armtol/tell/text_tables.h"
-#include "console/wrap.h"
+#include "armtol/tell/wrap.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 #include "armtol/tell/text_tables.h"
 
+#include "armtol/tell/wrap.h"
 #include "console/table.h"
-#include "console/wrap.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "console/wrap.h"
+#include "armtol/tell/wrap.h"
 
 #include <stdarg.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-#ifndef ARMTOL_CONSOLE_WRAP_H
-#define ARMTOL_CONSOLE_WRAP_H
+#ifndef ARMTOL_TELL_WRAP_H
+#define ARMTOL_TELL_WRAP_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,11 +1,11 @@
-#include "armtol/ask/xacro.h"
+#include "armtol/urdf/xacro.h"
 
-#include "armtol/ask/options.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 
 #include <errno.h>
 #include <spawn.h>
+#include <stdbool.h>
 #include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
