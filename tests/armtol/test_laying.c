@@ -117,7 +117,8 @@ static void test_masses_stay_where_they_are(void)
     arm_model as_is, anew;
     read_far(folder.text, true, &as_is);
     read_far(folder.text, false, &anew);
-    for (double q = -1; q < 3; q += 0.6) {
+    for (int n = 0; n < 7; n++) {
+        const double q = -1 + 0.6 * n;
         double expected[2][4], actual[2][4];
         find_moments(&as_is, (const double[]){q, 2 * q}, expected);
         find_moments(&anew, (const double[]){q, 2 * q}, actual);

@@ -273,7 +273,8 @@ static void test_frames_that_lie_far_off(void)
     TEST_ASSERT_EQUAL(2, arm.n_links);
     check_within(1e-9, 300, arm.links[0].a, "a");
     check_within(1e-12, angle, arm.links[0].beta, "beta");
-    for (double q = -3; q < 3; q += 0.7) {
+    for (int n = 0; n < 9; n++) {
+        const double q = -3 + 0.7 * n;
         armtol_link placed[2];
         double expected[4][4], actual[4][4];
         const double joints[2] = {q, 1 - q};

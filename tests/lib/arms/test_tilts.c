@@ -180,7 +180,8 @@ static void test_nothing_happens_where_snapping_ends(void)
     for (size_t i = 0; i < FAMILIES; i++) {
         found exact, tilted;
         find(&families[i], 0, &exact);
-        for (double tilt = 1e-9; tilt < 1e-4; tilt *= 1.7) {
+        for (int n = 0; n < 22; n++) {
+            const double tilt = 1e-9 * pow(1.7, n);
             find(&families[i], tilt, &tilted);
             TEST_ASSERT_TRUE_MESSAGE(same_kinds(&exact, &tilted), families[i].name);
             TEST_ASSERT_TRUE_MESSAGE(jump_of(&exact, &tilted) < 1.001, families[i].name);

@@ -91,7 +91,8 @@ static void test_the_first_of_the_worst_wins(void)
 /* However far below the range: no bin is wider than 2^-10 of what is in it. What is below all bins is 0 to a double. */
 static void test_quantiles_are_as_fine_far_below_the_range(void)
 {
-    for (double size = 0.3; size > 1e-18; size /= 7) {
+    for (int n = 0; n < 21; n++) {
+        const double size = 0.3 * pow(7, -n);
         const double magnitudes[3] = {size, 1.5 * size, 3 * size};
         tally_start(&counted);
         add(&counted, &limits_of_one, 0, 3, magnitudes);

@@ -434,7 +434,8 @@ static void test_only_a_zero_bounds_nothing(void)
     TEST_ASSERT_TRUE(isinf(found.tolerances[2]));
     check_within(1e-15, 1.0 / 2000, found.tolerances[0], "t1");
     check_within(1e-12, 0.5, found.tolerances[1], "t2");
-    for (double element = 1e-3; element > 1e-20; element /= 1000) {
+    for (int n = 1; n <= 6; n++) {
+        const double element = pow(1000, -n);
         given.matrix[2] = element;
         solve(&given, &found, "small");
         check_within(1e-9 / element, 1 / (3 * element), found.tolerances[2], "t3, %g", element);
