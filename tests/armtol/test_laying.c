@@ -92,6 +92,38 @@ static void test_a_table_laid_anew_is_the_same_arm(void)
     arm_model_free(&anew);
 }
 
+/* The second joint counts backwards and follows the first, twice as far. */
+static void test_motions_go_with_their_joints(void)
+{
+    const string folder = folder_new(), file = string_of("%s/far.csv", folder.text);
+    cli_options options = {.arm = file.text, .as_is = true};
+    arm_model as_is, anew;
+    file_write(file.text, "units: mm deg\njoint a alpha d theta sign couple multiplier\nfixed 0 0 40 0 - - -\n"
+                          "theta 0 0.05 -343774.5898120269 90 1 - -\ntheta 250 0 343774.7207117291 -90 -1 1 2\n");
+    TEST_ASSERT_EQUAL_INT(0, arm_source_read(&options, &as_is));
+    options.as_is = false;
+    TEST_ASSERT_EQUAL_INT(0, arm_source_read(&options, &anew));
+    TEST_ASSERT_TRUE(anew.laying.farthest > 0);
+    TEST_ASSERT_NOT_NULL(anew.arm.motions);
+    TEST_ASSERT_EQUAL(0, anew.arm.motions[1].follows);
+    check_same(-1, anew.arm.motions[1].sign, "sign");
+    check_same(2, anew.arm.motions[1].multiplier, "multiplier");
+    for (int n = -3; n <= 3; n++) {
+        const double q = n;
+        armtol_link placed[5];
+        double expected[4][4], actual[4][4];
+        TEST_ASSERT_EQUAL(ARMTOL_OK, armtol_arm_place(&as_is.arm, &q, 1, placed));
+        reference_chain(placed, as_is.arm.n_links, expected);
+        TEST_ASSERT_EQUAL(ARMTOL_OK, armtol_arm_place(&anew.arm, &q, 1, placed));
+        reference_chain(placed, anew.arm.n_links, actual);
+        for (int i = 0; i < 16; i++) {
+            check_within(1e-9, expected[i / 4][i % 4], actual[i / 4][i % 4], "element %d", i);
+        }
+    }
+    arm_model_free(&as_is);
+    arm_model_free(&anew);
+}
+
 /* Mass times center, in the base's coordinates, of what moves with each of two joints. */
 static void find_moments(const arm_model *model, const double q[], double moments[2][4])
 {
@@ -282,6 +314,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_a_table_laid_anew_is_the_same_arm);
+    RUN_TEST(test_motions_go_with_their_joints);
     RUN_TEST(test_masses_stay_where_they_are);
     RUN_TEST(test_a_table_laid_anew_says_so);
     RUN_TEST(test_what_cannot_be_laid_stays);

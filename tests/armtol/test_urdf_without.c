@@ -17,6 +17,9 @@ void tearDown(void)
 {
 }
 
+#define REFUSED "armtol: arm.urdf is a URDF, and this armtol was built without expat, which reads them; install expat with " \
+                "its headers (package libexpat1-dev, expat-devel or expat) and build armtol again\n"
+
 static void test_it_says_what_to_install(void)
 {
     arm_model model;
@@ -25,9 +28,17 @@ static void test_it_says_what_to_install(void)
     const bool fine = urdf_read(stdin, "arm.urdf", NULL, NULL, &model);
     said_end(&said);
     TEST_ASSERT_FALSE(fine);
-    TEST_ASSERT_EQUAL_STRING("armtol: arm.urdf is a URDF, and this armtol was built without expat, which "
-                             "reads them; install expat with its headers (package libexpat1-dev, expat-devel "
-                             "or expat) and build armtol again\n", said.text);
+    TEST_ASSERT_EQUAL_STRING(REFUSED, said.text);
+}
+
+static void test_it_draws_nothing(void)
+{
+    said said;
+    said_begin();
+    const bool fine = urdf_draw(stdin, "arm.urdf", NULL, stdout);
+    said_end(&said);
+    TEST_ASSERT_FALSE(fine);
+    TEST_ASSERT_EQUAL_STRING(REFUSED, said.text);
 }
 
 static void test_it_can_be_asked(void)
@@ -40,6 +51,7 @@ int main(void)
     message_start("armtol");
     UNITY_BEGIN();
     RUN_TEST(test_it_says_what_to_install);
+    RUN_TEST(test_it_draws_nothing);
     RUN_TEST(test_it_can_be_asked);
     return UNITY_END();
 }

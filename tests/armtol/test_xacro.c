@@ -156,9 +156,82 @@ static void test_what_has_no_links_to_draw(void)
               "armtol: --craig is for --show\n");
 }
 
+/* A joint that counts backwards turns a pinion of 0.02 m, whose rack the second is. */
+#define RACK "units: m rad\njoint,a,alpha,d,theta,sign,couple,multiplier,mass,com_x\ntheta,0.1,0,0,0,-1,-,-,2,-0.05\n" \
+             "d,0,0,0,0,1,0,0.02,1,0.01\n"
+
+static void check_shown(const char *option, const char *expected)
+{
+    const string folder = folder_new();
+    file_write(string_of("%s/rack.csv", folder.text).text, RACK);
+    check_run(folder.text, "", (const char *const[]){"rack.csv", "--show", option, NULL}, 0, expected, "");
+}
+
+static void test_a_rack_in_other_units_and_another_order(void)
+{
+    check_shown("--mm", "name: rack\ntitle: rack\nsource: not given\nunits: mm rad\n\n"
+                        "kind, joint,   a, alpha, d, theta, sign, couple, multiplier, mass, com_x\n"
+                        "ppr,  theta, 100,     0, 0,     0,   -1,      -,          -,    2,   -50\n"
+                        "ppp,  d,       0,     0, 0,     0,    1,      0,         20,    1,    10\n");
+    /* a stands in the row below, and the center lies 0.1 - 0.05 from the frame before it */
+    check_shown("--craig", "name: rack\ntitle: rack\nsource: not given\norder: craig\nunits: m rad\n\n"
+                           "kind, joint,   a, alpha, d, theta, sign, couple, multiplier, mass, com_x\n"
+                           "ppr,  theta,   0,     0, 0,     0,   -1,      -,          -,    2,  0.05\n"
+                           "ppp,  d,     0.1,     0, 0,     0,    1,      0,       0.02,    1,  0.01\n");
+}
+
+static void test_motions_in_json(void)
+{
+    const string folder = folder_new();
+    process process;
+    file_write(string_of("%s/rack.csv", folder.text).text, RACK);
+    run(&process, folder.text, "", (const char *const[]){"rack.csv", "--show", "--json", NULL});
+    process_check_status(&process, 0, "json");
+    TEST_ASSERT_NOT_NULL(strstr(process.output.bytes, "\"com_z\": 0,\n      \"sign\": -1\n    }"));
+    TEST_ASSERT_NOT_NULL(strstr(process.output.bytes,
+                                "\"couple\": 0,\n      \"multiplier\": 0.02,\n      \"offset\": 0\n    }"));
+    check_run(folder.text, "", (const char *const[]){"rack.csv", "--show", "--craig", "--json", NULL}, 2, "",
+              "armtol: --craig writes a table; expected no --json with it\n");
+}
+
+static void test_tips_of_as_many_joints_are_sorted_by_name(void)
+{
+    const string folder = folder_new();
+    file_write(string_of("%s/two.urdf", folder.text).text,
+               "<robot name='two'><link name='a'/><link name='c'/><link name='b'/>"
+               "<joint name='j' type='continuous'><parent link='a'/><child link='c'/><axis xyz='0 0 1'/></joint>"
+               "<joint name='k' type='continuous'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint></robot>");
+    check_run(folder.text, "", (const char *const[]){"two.urdf", "--show", NULL}, 2, "",
+              "armtol: two.urdf has several links at the end; choose the tool's with --tip: \"b\" (1 joint), \"c\" "
+              "(1 joint)\n");
+}
+
+/* Parallel axes, 1 cm apart: a link for each, and one from the last to the tool. */
+static void test_a_chain_may_be_too_long(void)
+{
+    enum { JOINTS = 1000 };
+    static char robot[JOINTS * 170 + 100];
+    size_t length = (size_t)snprintf(robot, sizeof robot, "<robot name='long'><link name='l0'/>");
+    for (int i = 1; i <= JOINTS; i++) {
+        length += (size_t)snprintf(robot + length, sizeof robot - length,
+                                   "<link name='l%d'/><joint name='j%d' type='continuous'><parent link='l%d'/>"
+                                   "<child link='l%d'/><origin xyz='.01 0 0'/><axis xyz='0 0 1'/></joint>",
+                                   i, i, i - 1, i);
+    }
+    snprintf(robot + length, sizeof robot - length, "</robot>");
+    const string folder = folder_new();
+    file_write(string_of("%s/long.urdf", folder.text).text, robot);
+    check_run(folder.text, "", (const char *const[]){"long.urdf", "--show", NULL}, 2, "",
+              "armtol: long.urdf: the chain has 1001 links; expected at most 1000\n");
+}
+
 int main(void)
 {
     UNITY_BEGIN();
+    RUN_TEST(test_a_rack_in_other_units_and_another_order);
+    RUN_TEST(test_motions_in_json);
+    RUN_TEST(test_tips_of_as_many_joints_are_sorted_by_name);
+    RUN_TEST(test_a_chain_may_be_too_long);
     RUN_TEST(test_xacro_is_run_with_its_arguments);
     RUN_TEST(test_xacro_that_is_not_there_or_fails);
     RUN_TEST(test_too_many_arguments_for_xacro);
