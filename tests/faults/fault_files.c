@@ -194,23 +194,26 @@ static void end_writer(void)
     writer = 0;
 }
 
-/* As in `armtol <(program) ...`. The name of an arm in a table is in the table. */
+/*
+ * As in `armtol <(program) ...`. The name of an arm in a table is in the table. The name of tolerances is printed, and the
+ * pipe's is as long, so that lines break in the same places.
+ */
 static void test_fifos_are_read(void)
 {
     static faulted_run right, run;
-    const string folder = folder_of_inputs(), fifo = string_of("%s/fifo", folder.text);
+    const string folder = folder_of_inputs(), fifo = string_of("%s/fifo.csv", folder.text);
     TEST_ASSERT_EQUAL_INT(0, mkfifo(fifo.text, 0666));
     for (int reader = 0; reader < READERS; reader++) {
         const string path = string_of("%s/%s", folder.text, right_names[reader]);
         read_with(reader, right_names[reader], folder.text, &(fault){0}, &right);
         TEST_ASSERT_EQUAL_INT_MESSAGE(0, right.status, right.errors.bytes);
         start_writer(fifo.text, path.text, false);
-        read_with(reader, "fifo", folder.text, &(fault){0}, &run);
+        read_with(reader, "fifo.csv", folder.text, &(fault){0}, &run);
         end_writer();
         TEST_ASSERT_EQUAL_INT_MESSAGE(0, run.status, run.errors.bytes);
-        char *named = strstr(run.output.bytes, "tolerances of fifo,"); /* the one file's name that is printed */
+        char *named = strstr(run.output.bytes, "tolerances of fifo.csv,"); /* the one file's name that is printed */
         if (named != NULL) {
-            const string tail = string_of("%s", named + strlen("tolerances of fifo,"));
+            const string tail = string_of("%s", named + strlen("tolerances of fifo.csv,"));
             sprintf(named, "tolerances of %s,%s", right_names[reader], tail.text);
             run.output.length = strlen(run.output.bytes);
         }
