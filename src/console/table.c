@@ -21,6 +21,9 @@ bool table_format_parse(const char *name, table_format *format)
 }
 
 /* Text, cut at its tabs, into the cells behind those of the last row. */
+#ifdef __GNUC__
+__attribute__((format(printf, 2, 0)))
+#endif
 static void take_cells(table *table, const char *format, va_list arguments)
 {
     char text[TABLE_COLUMNS * TABLE_CELL];

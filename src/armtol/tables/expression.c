@@ -71,10 +71,10 @@ static bool take_sign(cursor *cursor)
 }
 
 /* By products: exact for powers of 2, and the same on every machine. */
-static double whole_power(double base, double exponent)
+static double whole_power(double base, unsigned exponent)
 {
     double power = 1;
-    for (double i = 0; i < exponent; i++) {
+    for (unsigned i = 0; i < exponent; i++) {
         power *= base;
     }
     return power;
@@ -90,7 +90,7 @@ static double raise(cursor *cursor, double base)
     if (exponent != floor(exponent) || exponent > MOST) {
         return fail(cursor, NUMBER_NONE);
     }
-    const double power = whole_power(base, exponent);
+    const double power = whole_power(base, (unsigned)exponent);
     return negative ? 1 / power : power;
 }
 
