@@ -62,6 +62,7 @@
 #define question_least armtol_private_question_least
 #define question_load_count armtol_private_question_load_count
 #define question_loading armtol_private_question_loading
+#define question_weight armtol_private_question_weight
 #define search_corners armtol_private_search_corners
 #define sine_of armtol_private_sine_of
 #define tally_add armtol_private_tally_add

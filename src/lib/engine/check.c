@@ -61,6 +61,11 @@ bool question_gives(const armtol_question *question, size_t column)
     return question_least(question, column) == question_largest(question, column);
 }
 
+double question_weight(const armtol_question *question, size_t column)
+{
+    return question->weights != NULL ? question->weights[column] : 1;
+}
+
 static bool is_range(const armtol_question *question, size_t column)
 {
     const double least = question_least(question, column);
@@ -70,7 +75,7 @@ static bool is_range(const armtol_question *question, size_t column)
 armtol_fault question_check_columns(const armtol_question *question, size_t n_columns)
 {
     for (size_t k = 0; k < n_columns; k++) {
-        if (question->weights != NULL && !is_positive(question->weights[k])) {
+        if (!is_positive(question_weight(question, k))) {
             return fault_of(ARMTOL_BAD_WEIGHT, ARMTOL_ABOUT_WEIGHTS, k);
         }
         if (question->tolerances != NULL && !(question->tolerances[k] >= 0)) {

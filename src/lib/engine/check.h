@@ -20,4 +20,6 @@ double question_least(const armtol_question *question, size_t column);
 double question_largest(const armtol_question *question, size_t column);
 bool question_gives(const armtol_question *question, size_t column);
 
+double question_weight(const armtol_question *question, size_t column);
+
 #endif

@@ -92,7 +92,7 @@ static void pack_columns(rows *rows, const armtol_answer *answer, const armtol_q
         if (is_free(rows, answer, k)) {
             rows->free_columns[rows->n_free] = k;
             rows->columns[rows->n_free] = answer->columns[k];
-            rows->weights[rows->n_free++] = question->weights != NULL ? question->weights[k] : 1;
+            rows->weights[rows->n_free++] = question_weight(question, k);
         }
     }
     rows->n_extra = 0;
@@ -254,7 +254,7 @@ static bool let_go(rows *rows, armtol_answer *answer, const armtol_question *que
     size_t loosest = 0;
     for (size_t k = 0; k < answer->n_columns; k++) {
         if (rows->pinned[k]) {
-            const double weight = question->weights != NULL ? question->weights[k] : 1;
+            const double weight = question_weight(question, k);
             rows->pulls[k] = whole * pull_of(answer, question, rows, k) / weight;
             loosest = 1 - rows->pulls[k] > most ? k : loosest;
             most = fmax(most, 1 - rows->pulls[k]);
@@ -285,7 +285,7 @@ static void note_held(armtol_answer *answer, const armtol_question *question, co
     }
     for (size_t k = 0; k < answer->n_columns; k++) {
         if (rows->pinned[k]) {
-            const double weight = question->weights != NULL ? question->weights[k] : 1;
+            const double weight = question_weight(question, k);
             answer->held[k] = -weight * (rows->pulls[k] - 1) / whole;
             answer->tolerances[k] = question_least(question, k);
         }

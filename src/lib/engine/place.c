@@ -7,6 +7,7 @@
 
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 static bool get_memory(armtol_answer *answer)
 {
@@ -32,6 +33,14 @@ static armtol_status place(armtol_answer *answer, const armtol_question *questio
     return made;
 }
 
+/* Loads do not move the arm as it is meant: what one of them has is a copy of what the first has. */
+static void copy_place(armtol_answer *answer, size_t pose)
+{
+    const size_t n = answer->n_links, size = 6 * answer->n_columns;
+    memcpy(answer->links + pose * n, answer->links + (pose - 1) * n, n * sizeof *answer->links);
+    memcpy(answer->matrices + pose * size, answer->matrices + (pose - 1) * size, size * sizeof *answer->matrices);
+}
+
 armtol_fault answer_place(armtol_answer *answer, const armtol_question *question)
 {
     const armtol_arm *arm = question->arm;
@@ -48,7 +57,9 @@ armtol_fault answer_place(armtol_answer *answer, const armtol_question *question
     armtol_status status = ARMTOL_OK;
     size_t pose = 0;
     while (pose < answer->n_poses && (status = place(answer, question, pose)) == ARMTOL_OK) {
-        pose++;
+        for (pose++; pose % answer->n_loads != 0; pose++) {
+            copy_place(answer, pose);
+        }
     }
     return fault_of(status, ARMTOL_ABOUT_POSE, pose / answer->n_loads);
 }
