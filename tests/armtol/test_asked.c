@@ -1,5 +1,6 @@
 /* Whole runs of armtol that ask in unusual ways: units, weights, files, several poses, the other way round. */
 
+#include "armtol/runs.h"
 #include "support/process.h"
 
 #include "unity.h"
@@ -23,24 +24,6 @@ void setUp(void)
 void tearDown(void)
 {
     process_clean_up();
-}
-
-static void run(process *process, const char *folder, const char *const arguments[])
-{
-    const process_setup setup = {.program = TEST_ARMTOL, .arguments = arguments, .folder = folder};
-    process_run(process, &setup, "");
-}
-
-static void run_well(process *process, const char *folder, const char *const arguments[])
-{
-    run(process, folder, arguments);
-    process_check_status(process, 0, arguments[0]);
-    text_check("", 0, &process->errors, arguments[0]);
-}
-
-static void check_says(const process *process, const char *words)
-{
-    TEST_ASSERT_TRUE_MESSAGE(strstr(process->output.bytes, words) != NULL, words);
 }
 
 static void check_same(const process *one, const process *other, const char *what)
