@@ -8,6 +8,7 @@ file(REMOVE_RECURSE ${BINARY})
 foreach(place "${one}" "${other}")
   file(COPY ${SOURCE}/.ci ${SOURCE}/CMakeLists.txt ${SOURCE}/Makefile ${SOURCE}/docs ${SOURCE}/include ${SOURCE}/legacy
     ${SOURCE}/src DESTINATION "${place}")
+  file(COPY ${SOURCE}/tests/bench DESTINATION "${place}/tests")
 endforeach()
 
 # As the README has it, with DESTDIR and PREFIX.
