@@ -20,8 +20,9 @@
 #include "armtol/error_matrix.h"
 #include "armtol/link_jacobian.h"
 
-/* The bounds, Eqs (4.25) to (4.31), and what they leave a shop, Eq. (4.32). */
+/* The bounds, Eqs (4.25) to (4.31), what they leave a shop, Eq. (4.32), and what a drawing allows, Eqs (4.14) to (4.19). */
 #include "armtol/bounds.h"
+#include "armtol/drawing.h"
 #include "armtol/machining.h"
 #include "armtol/sphere.h"
 
