@@ -38,6 +38,7 @@
 #include "armtol/optimum.h"
 
 /* The tool: any point of it, A and its bounds fast, the exact error and what A leaves out of it. */
+#include "armtol/comparison.h"
 #include "armtol/corners.h"
 #include "armtol/loads.h"
 #include "armtol/poses.h"

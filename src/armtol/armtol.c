@@ -1,5 +1,6 @@
 /* armtol: how precisely the parts of an arm have to be made. */
 
+#include "armtol/against/against.h"
 #include "armtol/armtol.h"
 #include "armtol/ask/arm_source.h"
 #include "armtol/ask/options.h"
@@ -97,7 +98,7 @@ static int run(const cli_options *options, const arm_model *model)
     if (code != EXIT_OK) {
         return code;
     }
-    const int ended = answer_request(&request);
+    const int ended = against_is_asked(options) ? against_run(&request, model) : answer_request(&request);
     request_free(&request);
     return ended;
 }

@@ -19,7 +19,8 @@ void tearDown(void)
     memory_is_enough();
 }
 
-#define ASKED "armtol", "puma560", "--joints", "0,45,-90,0,45,0", "--degrees", "--accuracy", ".5,.5,.5,.01,.01,.01"
+#define POSED "armtol", "puma560", "--joints", "0,45,-90,0,45,0", "--degrees"
+#define ASKED POSED, "--accuracy", ".5,.5,.5,.01,.01,.01"
 
 static void test_every_answer(void)
 {
@@ -35,10 +36,16 @@ static void test_no_answer(void)
                         "armtol: no tolerances: the drives alone use ", 8);
 }
 
+static void test_another_arm(void)
+{
+    check_short_main(armtol_main, (const char *const[]){POSED, "--against", "ur5e", NULL}, 8);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_every_answer);
     RUN_TEST(test_no_answer);
+    RUN_TEST(test_another_arm);
     return UNITY_END();
 }

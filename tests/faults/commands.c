@@ -22,6 +22,7 @@ const char *const commands[COMMANDS][COMMAND_ARGUMENTS] = {
     {"--version"},
     {"arm.csv", "--poses", "poses.csv", "--method", "rss", "--weights", "weights.csv", ACCURACY},
     {"arm.csv", POSE, "--tolerances", "tolerances.csv"},
+    {"arm.csv", POSE, "--deviations", "deviations.csv"},
     {"ur5e.urdf", "--tip", "tool0", "--joints", "10,-80,70,-60,50,40", "--degrees", ACCURACY},
 };
 
@@ -56,6 +57,7 @@ string folder_for_commands(void)
     write_output(folder.text, "tolerances.csv", commands[3]);
     file_write(poses.text, "0,.8,-1.6,0,.8,0\n.1,.7,-1.5,.1,.9,0\n");
     file_write(weights.text, "link,parameter,weight\n0,d,2\n1,theta,3\n");
+    file_write(string_of("%s/deviations.csv", folder.text).text, "link,parameter,deviation\n1,a,-0.25\n");
     file_read(TEST_UR5E, &source);
     file_write(urdf.text, source.bytes);
     return folder;

@@ -33,7 +33,8 @@ static void check_values(const parameter_table *table, bool infinite_allowed, co
 {
     for (size_t k = 0; k < table->n_columns; k++) {
         const bool kept = values[k] == -1; /* as it was */
-        REQUIRE(kept || values[k] > 0 || (table->zero_allowed && values[k] == 0));
+        REQUIRE(kept || values[k] > 0 || (table->zero_allowed && values[k] == 0) || table->signed_allowed);
+        REQUIRE(!isnan(values[k]));
         REQUIRE(infinite_allowed || kept || isfinite(values[k]));
     }
 }
@@ -41,12 +42,12 @@ static void check_values(const parameter_table *table, bool infinite_allowed, co
 static void check_parameters(FILE *stream, unsigned choice)
 {
     const armtol_arm *arm = armtol_arm_at(choice / 4 % armtol_arm_count());
-    const bool zero = choice % 2 != 0, infinite_allowed = choice / 2 % 2 != 0;
+    const bool zero = choice % 2 != 0, infinite_allowed = choice / 2 % 2 != 0, any_sign = choice / 128 != 0;
     const size_t n = armtol_column_count(arm->links, arm->n_links);
     armtol_column columns[MOST_COLUMNS];
     double values[MOST_COLUMNS];
     REQUIRE(n <= MOST_COLUMNS && armtol_columns(arm->links, arm->n_links, columns, n) == ARMTOL_OK);
-    const parameter_table table = {arm->links, columns, n, zero ? "tolerance" : "weight", zero};
+    const parameter_table table = {arm->links, columns, n, any_sign ? "deviation" : zero ? "tolerance" : "weight", zero, any_sign};
     for (size_t k = 0; k < n; k++) {
         values[k] = -1;
     }

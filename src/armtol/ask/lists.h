@@ -26,6 +26,7 @@ typedef struct parameter_table {
     size_t n_columns;
     const char *value; /* the name of the column that is wanted: tolerance, weight */
     bool zero_allowed; /* a value may be 0; what has no row stays as it was */
+    bool signed_allowed; /* a value may be anything finite */
     const char *length_unit; /* what a column `unit`, where there is one, has to say of lengths, and of angles; */
     const char *angle_unit;  /* NULL where values have no units */
 } parameter_table;

@@ -37,6 +37,8 @@ enum {
     OPTION_GRAVITY,
     OPTION_FORCE,
     OPTION_COMPENSATED,
+    OPTION_AGAINST,
+    OPTION_DEVIATIONS,
     OPTION_BUDGET,
     OPTION_TOOL_POSE,
     OPTION_VERIFY,
@@ -79,6 +81,8 @@ static const struct option long_options[] = {
     {"gravity", required_argument, NULL, OPTION_GRAVITY},
     {"force", required_argument, NULL, OPTION_FORCE},
     {"compensated", required_argument, NULL, OPTION_COMPENSATED},
+    {"against", required_argument, NULL, OPTION_AGAINST},
+    {"deviations", required_argument, NULL, OPTION_DEVIATIONS},
     {"budget", no_argument, NULL, OPTION_BUDGET},
     {"tool-pose", no_argument, NULL, OPTION_TOOL_POSE},
     {"verify", required_argument, NULL, OPTION_VERIFY},
@@ -253,6 +257,10 @@ static bool take_problem(int option, const char *argument, cli_options *options)
         return take_text(argument, &options->accuracy);
     case OPTION_TOLERANCES:
         return take_text(argument, &options->tolerances);
+    case OPTION_AGAINST:
+        return take_text(argument, &options->against);
+    case OPTION_DEVIATIONS:
+        return take_text(argument, &options->deviations);
     case OPTION_TOOL_OFFSET:
         return take_text(argument, &options->tool_offset);
     case OPTION_WEIGHTS:
@@ -392,6 +400,20 @@ static bool read_all(int argc, char *argv[], cli_options *options)
     }
 }
 
+/* Two arms are compared as they are: nothing is allowed them, and nothing drawn. */
+static const char *fault_of_comparison(const cli_options *options)
+{
+    if (options->against != NULL && options->deviations != NULL) {
+        return "--against and --deviations exclude each other";
+    }
+    if (options->accuracy != NULL || options->tolerances != NULL || options->given != NULL || options->weights != NULL ||
+        options->budget || options->verify != 0) {
+        return "--against and --deviations compare two arms; expected no --accuracy, --tolerances, --given, --weights, "
+               "--budget or --verify beside them";
+    }
+    return options->format == OUTPUT_CSV ? "--csv writes tolerances only; expected --json, or nothing" : NULL;
+}
+
 /* What is missing, or contradicts itself, in a question; NULL where nothing is. */
 static const char *fault_of_question(const cli_options *options)
 {
@@ -400,6 +422,9 @@ static const char *fault_of_question(const cli_options *options)
     }
     if (options->joints != NULL && options->poses != NULL) {
         return "--joints and --poses exclude each other";
+    }
+    if (options->against != NULL || options->deviations != NULL) {
+        return fault_of_comparison(options);
     }
     if (options->accuracy == NULL && options->tolerances == NULL) {
         return "the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)";

@@ -37,6 +37,7 @@ typedef struct cli_options {
     const char *tolerances;
     const char *given;
     const char *drives;
+    const char *against, *deviations;
     const char *gravity, *force;
     double compensated;
     const char *payloads[MOST_PAYLOADS];

@@ -142,7 +142,7 @@ static bool read_value(const parameter_reader *reader, double *value)
                       number_fault_text(fault));
         return false;
     }
-    if (!(number.value > 0 || (reader->table->zero_allowed && number.value == 0))) {
+    if (!(number.value > 0 || (reader->table->zero_allowed && number.value == 0) || reader->table->signed_allowed)) {
         cells_message(&reader->row, place, "%s: %s is %s", reader->table->value, message_quote(cell->text, &quote),
                       reader->table->zero_allowed ? "negative" : "not greater than zero");
         return false;
