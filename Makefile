@@ -18,7 +18,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz mutants robots
 .PHONY: page test-page
-.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
+.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults check-nlopt dist install clean setup
 
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
@@ -83,6 +83,13 @@ fuzz: setup $(BUILD)/wished-expat
 robots: all
 	@.ci/setup venv
 	@tests/robots/robots $(BUILD)/armtol $(abspath $(BUILD))/robots
+
+# The optimum between bounds against NLopt's, for many random arms; `make test` does it for a few.
+NLOPT_ARMS ?= 2000
+NLOPT_SEED ?= 12
+check-nlopt: tests
+	@.ci/setup nlopt
+	@$(BUILD)/tests/lib/optimum/test_bounds_nlopt $(NLOPT_ARMS) $(NLOPT_SEED)
 
 # How fast the library is, beside loops written by hand: compiled for this machine, then as it comes.
 bench: setup
