@@ -17,8 +17,8 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz mutants robots
-.PHONY: page test-page
-.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults check-nlopt dist install clean setup
+.PHONY: page test-page check-nlopt
+.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
 
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)

@@ -113,7 +113,7 @@ static int show(arm_model *model, const cli_options *options)
     }
     units.arm = units.length;
     if (options->format == OUTPUT_JSON) {
-        json_show(&model->arm, &units);
+        json_show(model, &units, &laid);
     } else {
         laying_print(&model->laying, &laid, "# ");
         const row_order order = options->craig ? ORDER_CRAIG : ORDER_PAUL;

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { LINE = 80 };
+
 bool table_format_parse(const char *name, table_format *format)
 {
     static const char *const names[FORMAT_COUNT] = {"text", "markdown", "tsv"};
@@ -72,26 +74,44 @@ void table_print_title(const char *title, const char *remark, table_format forma
     fputs(after[format], stream);
 }
 
-static int width_of(const table *table, size_t column)
+/* Of UTF-8: all but the first byte of a character are 10xxxxxx. */
+static size_t characters_of(const char *text)
 {
-    size_t width = 3; /* what Markdown's rule needs */
-    for (size_t i = 0; i < table->n_rows; i++) {
-        const size_t length = strlen(table->rows[i].cells[column]);
-        width = length > width ? length : width;
+    size_t count = 0;
+    for (; *text != '\0'; text++) {
+        count += ((unsigned char)*text & 0xc0) != 0x80;
     }
-    return (int)width;
+    return count;
 }
 
-static void print_row(const table *table, const table_row *row, table_format format, FILE *stream)
+static void measure(table *table)
+{
+    for (size_t j = 0; j < table->n_columns; j++) {
+        table->widths[j] = 3; /* what Markdown's rule needs */
+        for (size_t i = 0; i < table->n_rows; i++) {
+            const int length = (int)characters_of(table->rows[i].cells[j]);
+            table->widths[j] = length > table->widths[j] ? length : table->widths[j];
+        }
+    }
+}
+
+/* The first column, which says what a row is about, and those from `begin` on up to `end`. */
+typedef struct table_part {
+    size_t begin, end;
+} table_part;
+
+static void print_row(const table *table, const table_row *row, table_part part, table_format format, FILE *stream)
 {
     static const char *const begin[FORMAT_COUNT] = {"  ", "| ", ""};
     static const char *const between[FORMAT_COUNT] = {"  ", " | ", "\t"};
     static const char *const end[FORMAT_COUNT] = {"\n", " |\n", "\n"};
     fputs(begin[format], stream);
-    for (size_t j = 0; j < table->n_columns; j++) {
-        const int width = format == FORMAT_TSV ? 0 : width_of(table, j);
-        fprintf(stream, j == 0 ? "%-*s" : "%*s", width, row->cells[j]);
-        fputs(j + 1 < table->n_columns ? between[format] : end[format], stream);
+    for (size_t j = 0; j < part.end; j = j == 0 ? part.begin : j + 1) {
+        const char *cell = row->cells[j];
+        const int more = (int)(strlen(cell) - characters_of(cell)); /* printf counts bytes */
+        const int width = format == FORMAT_TSV ? 0 : table->widths[j] + more;
+        fprintf(stream, j == 0 ? "%-*s" : "%*s", width, cell);
+        fputs(j + 1 < part.end ? between[format] : end[format], stream);
     }
 }
 
@@ -100,7 +120,7 @@ static void print_rule(const table *table, FILE *stream)
 {
     for (size_t j = 0; j < table->n_columns; j++) {
         fputc('|', stream);
-        for (int i = width_of(table, j) + (j == 0 ? 2 : 1); i > 0; i--) {
+        for (int i = table->widths[j] + (j == 0 ? 2 : 1); i > 0; i--) {
             fputc('-', stream);
         }
         fputs(j == 0 ? "" : ":", stream);
@@ -108,17 +128,83 @@ static void print_rule(const table *table, FILE *stream)
     fputs("|\n", stream);
 }
 
-bool table_finish(table *table, const char *title, const char *remark, table_format format, FILE *stream)
+static void print_rows(const table *table, table_part part, table_format format, FILE *stream)
 {
-    const bool fine = !table->failed;
-    if (fine && title != NULL) {
-        table_print_title(title, remark, format, stream);
-    }
-    for (size_t i = 0; i < table->n_rows && fine; i++) {
-        print_row(table, &table->rows[i], format, stream);
+    for (size_t i = 0; i < table->n_rows; i++) {
+        print_row(table, &table->rows[i], part, format, stream);
         if (i == 0 && format == FORMAT_MARKDOWN) {
             print_rule(table, stream);
         }
+    }
+}
+
+/* The columns from `begin` on that a line of text has room for, one at the least. */
+static table_part part_from(const table *table, size_t begin)
+{
+    table_part part = {begin, begin};
+    int width = 2 + table->widths[0];
+    do {
+        width += 2 + table->widths[part.end++];
+    } while (part.end < table->n_columns && width + 2 + table->widths[part.end] <= LINE);
+    return part;
+}
+
+static int width_of_all(const table *table)
+{
+    int width = 0;
+    for (size_t j = 0; j < table->n_columns; j++) {
+        width += 2 + table->widths[j];
+    }
+    return width;
+}
+
+/* To so many characters, the last two of them dots. */
+static void cut_cell(char *cell, int characters)
+{
+    char *end = cell;
+    if (characters_of(cell) <= (size_t)characters) {
+        return;
+    }
+    for (int i = 0; i < characters - 2; i++) {
+        for (end++; ((unsigned char)*end & 0xc0) == 0x80; end++) {
+        }
+    }
+    strcpy(end, "..");
+}
+
+/* If a line has room for the table then. */
+static void cut_first(table *table)
+{
+    enum { LEAST = 8 };
+    const int width = table->widths[0] - (width_of_all(table) - LINE);
+    for (size_t i = 0; i < table->n_rows && width >= LEAST && table->cut_first; i++) {
+        cut_cell(table->rows[i].cells[0], width);
+    }
+    measure(table);
+}
+
+/* A table that is wider than a line comes in parts below each other. */
+static void print_parts(const table *table, FILE *stream)
+{
+    for (table_part part = {1, 1}; part.end < table->n_columns;) {
+        fputs(part.end > 1 ? "\n" : "", stream);
+        part = part_from(table, part.end);
+        print_rows(table, part, FORMAT_TEXT, stream);
+    }
+}
+
+bool table_finish(table *table, const char *title, const char *remark, table_format format, FILE *stream)
+{
+    const bool fine = !table->failed;
+    measure(table);
+    if (fine && title != NULL) {
+        table_print_title(title, remark, format, stream);
+    }
+    if (fine && format == FORMAT_TEXT && table->n_columns > 1) {
+        cut_first(table);
+        print_parts(table, stream);
+    } else if (fine) {
+        print_rows(table, (table_part){1, table->n_columns}, format, stream);
     }
     free(table->rows);
     *table = (struct table)TABLE_EMPTY;

@@ -8,8 +8,8 @@
 #include <stdio.h>
 
 /*
- * A table of texts, to be printed for people, as Markdown or as tab-separated values. Cells are plain ASCII, without
- * tabs and without Markdown's bars: nothing is escaped.
+ * A table of texts, to be printed for people, as Markdown or as tab-separated values. Cells are UTF-8, without tabs and
+ * without Markdown's bars: nothing is escaped. Widths are counted in characters.
  */
 
 typedef enum table_format { FORMAT_TEXT, FORMAT_MARKDOWN, FORMAT_TSV, FORMAT_COUNT } table_format;
@@ -25,6 +25,8 @@ typedef struct table {
     size_t n_rows, room;
     size_t n_columns; /* cells of the head */
     size_t n_cells;   /* of the last row, so far */
+    int widths[TABLE_COLUMNS]; /* of the columns, in characters, when it is printed */
+    bool cut_first;   /* the ends of long cells of the first column may go, to keep a text within a line */
     bool failed;      /* memory was short: a message has said so, and nothing is added any more */
 } table;
 
@@ -55,7 +57,8 @@ void table_print_title(const char *title, const char *remark, table_format forma
 
 /*
  * Print a table, below its title unless that is NULL, and free it: the first column to the left, the others to the
- * right. False where a row had found no memory: nothing is printed.
+ * right. As text no line has more than 80 characters, unless two columns do: a wider table comes in parts below each other,
+ * each with the first column. False where a row had found no memory: nothing is printed.
  */
 bool table_finish(table *table, const char *title, const char *remark, table_format format, FILE *stream);
 

@@ -70,7 +70,7 @@ static void test_a_length(void)
     run_well(&process, folder.text,
              (const char *const[]){"arm.csv", "--against", "long.csv", "--joints", "20,30", NULL});
     check_says(&process, "The tool of long.csv, less that of arm");
-    check_says(&process, "1             a         0.5    mm       0.5      0      100.0 %         -\n");
+    check_says(&process, "\n  a of 1               0.5    mm       0.5      0      100.0 %         -\n");
 }
 
 /* A turn of the base by 0.25 degrees: the chord of the reach, and the whole turn. */

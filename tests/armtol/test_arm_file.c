@@ -340,12 +340,12 @@ static void test_the_tables_of_the_documentation(void)
 #define FULL UNITS "kind,joint,a,alpha,d,theta,beta,low,high,backlash,compliance,moment\n"
 #define EXPECTED_UNITS "expected a unit of length, mm, m or in, and one of angles, deg or rad"
 #define EXPECTED_COLUMNS \
-    "expected kind, joint, a, alpha, d, theta, beta, sign, couple, multiplier, offset, low, high, backlash, compliance or stiffness, moment, " \
+    "expected name, kind, joint, a, alpha, d, theta, beta, sign, couple, multiplier, offset, low, high, backlash, compliance or stiffness, moment, " \
     "resolution or bits, friction, mass, com_x, com_y or com_z"
-#define NEITHER " is neither a key (name, title, source, units, order) nor a column (kind, joint, a, alpha, d, theta, ...)"
+#define NEITHER " is neither a key (name, title, source, units, order) nor a column (name, kind, joint, a, alpha, d, theta, ...)"
 #define NO_TABLE \
     "the file ends before a table of links; expected a row of names: joint, a, alpha, d, theta and, as needed, " \
-    "kind, beta, sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z"
+    "name, kind, beta, sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z"
 #define SAVE_AS "save the table as UTF-8 (in a spreadsheet: CSV, UTF-8)"
 
 static void test_wrong_keys(void)

@@ -75,6 +75,7 @@ static void test_arm(void)
     text[256] = '\n';
     strcpy(text + 257, rest);
     check_out_of_memory(read_arm, text, 10);
+    check_out_of_memory(read_arm, "units: mm rad\nname,joint,a,alpha,d,theta\none,d,0,0,0,0\ntwo,d,0,0,0,0\n", 12);
 }
 
 static bool read_laid(FILE *stream)
@@ -90,7 +91,10 @@ static void test_an_arm_laid_anew(void)
 {
     static const char far[] = "units: mm deg\njoint a alpha d theta mass\n"
                               "theta 0 0.05 -343774.5898120269 90 2\ntheta 250 0 343774.7207117291 -90 3\n";
+    static const char named[] = "units: mm deg\nname joint a alpha d theta\n"
+                                "one theta 0 0.05 -343774.5898120269 90\ntwo theta 250 0 343774.7207117291 -90\n";
     check_out_of_memory(read_laid, far, 20);
+    check_out_of_memory(read_laid, named, 20);
 }
 
 /* Read, and shown in the same order. */
@@ -133,7 +137,8 @@ static bool read_parameters(FILE *stream)
 {
     static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}};
     static const armtol_column columns[] = {{0, ARMTOL_THETA}, {0, ARMTOL_D}};
-    const parameter_table table = {links, columns, 2, "weight", true};
+    const armtol_arm arm = {.links = links, .n_links = 1};
+    const parameter_table table = {&arm, columns, 2, "weight", true};
     double values[2];
     return parameters_read(stream, "weights.csv", &table, false, values);
 }

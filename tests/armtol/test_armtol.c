@@ -363,7 +363,7 @@ static void test_the_poses_are_named_and_the_one_that_binds(void)
                                                           ".1,.1,-,-,-,-", NULL});
     check_says(&process, "the accuracy in these 2 poses; elsewhere\nis unknown.");
     check_says(&process, "  pose 2: joints 90 0 100 0, tool point");
-    check_says(&process, "unit  pose  held down by it");
+    check_says(&process, "unit  pose   binds");
     run_well(&process, folder.text, (const char *const[]){"scara", "--poses", "poses.txt", "--degrees", "--accuracy",
                                                           ".1,.1,-,-,-,-", "--json", NULL});
     check_says(&process, "\"pose\": 2");

@@ -127,7 +127,8 @@ static armtol_column columns[COLUMNS];
 
 static bool read_parameters(const char *bytes, size_t length, bool zero, bool infinite, double values[], said *said)
 {
-    const parameter_table table = {links, columns, COLUMNS, "tolerance", zero, "mm", "rad"};
+    const parameter_table table = {&(armtol_arm){.links = links, .n_links = 2}, columns, COLUMNS, "tolerance", zero,
+                                   .length_unit = "mm", .angle_unit = "rad"};
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_columns(links, 2, columns, COLUMNS));
     FILE *stream = stream_of(bytes, length);
     said_begin();

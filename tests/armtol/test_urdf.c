@@ -466,6 +466,54 @@ static void test_names_become_printable(void)
     arm_model_free(&model);
 }
 
+static const char *link_name_at(const arm_model *model, size_t link)
+{
+    return model->arm.names[link] != NULL ? model->arm.names[link] : "";
+}
+
+/* Joints are called as in the file; the fixed link at the end, where there is one, as the tip. */
+static void test_links_have_the_names_of_joints(void)
+{
+    static const char *const names[] = {"shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint",
+                                        "wrist_1_joint",      "wrist_2_joint",       "wrist_3_joint"};
+    arm_model model;
+    read_ur5e("base_link", &model);
+    TEST_ASSERT_EQUAL_UINT(6, model.arm.n_links);
+    for (size_t i = 0; i < 6; i++) {
+        TEST_ASSERT_EQUAL_STRING(names[i], link_name_at(&model, i));
+    }
+    arm_model_free(&model);
+    read_text(ROBOT(TWO_LINKS "<link name='c'/>" JOINT("revolute", "<origin rpy='1 0 0'/>")
+                    "<joint name='k' type='fixed'><parent link='b'/><child link='c'/><origin xyz='1 2 3' rpy='1 2 3'/></joint>"),
+              NULL, "c", &model);
+    TEST_ASSERT_EQUAL_UINT(3, model.arm.n_links);
+    TEST_ASSERT_EQUAL_STRING("a", link_name_at(&model, 0));
+    TEST_ASSERT_EQUAL_STRING("j", link_name_at(&model, 1));
+    TEST_ASSERT_EQUAL_STRING("c", link_name_at(&model, 2));
+    arm_model_free(&model);
+}
+
+#define TURNS(name, from, to)                                                                                       \
+    "<joint name='" name "' type='continuous'><parent link='" from "'/><child link='" to "'/>"                      \
+    "<axis xyz='0 0 1'/><origin xyz='1 0 0'/></joint>"
+
+/* What a table could not have as a name is none: nothing but a dash, a fault of spreadsheets, what another link is called. */
+static void test_names_that_no_table_could_have(void)
+{
+    arm_model model;
+    read_text(ROBOT("<link name='0'/><link name='1'/><link name='2'/><link name='3'/><link name='4'/><link name='5'/>"
+                    TURNS("a&#10;b", "0", "1") TURNS("a&#9;b", "1", "2") TURNS("-", "2", "3") TURNS("#REF!", "3", "4")
+                    TURNS("&#x2212;", "4", "5")),
+              "0", "5", &model);
+    TEST_ASSERT_EQUAL_UINT(6, model.arm.n_links);
+    TEST_ASSERT_EQUAL_STRING("0", link_name_at(&model, 0));
+    TEST_ASSERT_EQUAL_STRING("a?b", link_name_at(&model, 1));
+    for (size_t i = 2; i < 6; i++) {
+        TEST_ASSERT_EQUAL_STRING("", link_name_at(&model, i));
+    }
+    arm_model_free(&model);
+}
+
 static void test_other_encodings(void)
 {
     static const char latin[] = "<?xml version='1.0' encoding='iso-8859-1'?><robot name='\xe9'>" TWO_LINKS
@@ -827,6 +875,8 @@ int main(void)
     RUN_TEST(test_the_rest_of_the_file_is_passed_over);
     RUN_TEST(test_base_and_tip_choose_the_chain);
     RUN_TEST(test_names_become_printable);
+    RUN_TEST(test_links_have_the_names_of_joints);
+    RUN_TEST(test_names_that_no_table_could_have);
     RUN_TEST(test_other_encodings);
     RUN_TEST(test_a_file_longer_than_a_buffer);
     RUN_TEST(test_what_is_no_urdf);

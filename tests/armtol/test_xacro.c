@@ -113,7 +113,7 @@ static void test_limits_can_be_set_aside(void)
     process process;
     file_write(string_of("%s/r.urdf", folder.text).text, urdf);
     check_run(folder.text, "", (const char *const[]){"r.urdf", "--joints", "0.5", ACCURACY, NULL}, 2, "",
-              "armtol: pose 1, joint 1: 0.5 is beyond its limits; expected 0 to 0 rad (limits of 0 and 0 often mean that none "
+              "armtol: pose 1, joint 1 (j): 0.5 is beyond its limits; expected 0 to 0 rad (limits of 0 and 0 often mean that none "
               "are known: --ignore-limits sets limits aside)\n");
     run(&process, folder.text, "", (const char *const[]){"r.urdf", "--joints", "0.5", ACCURACY, "--ignore-limits", NULL});
     process_check_status(&process, 0, "set aside");

@@ -139,6 +139,56 @@ static void test_names_of_formats(void)
     TEST_ASSERT_EQUAL_STRING("test: --format: unknown format \"html\"; expected text, markdown or tsv\n", said.text);
 }
 
+static void check_text(table *table, const char *expected)
+{
+    FILE *stream = stream_of("", 0);
+    TEST_ASSERT_TRUE(table_finish(table, NULL, NULL, FORMAT_TEXT, stream));
+    check_printed(expected, stream, FORMAT_TEXT);
+}
+
+/* 2 + 4 + 2 + 21 + 2 + 21 + 2 + 19 = 73: a column of five has room, one of six has not. */
+static void test_what_is_wider_than_a_line_comes_in_parts(void)
+{
+    table table = TABLE_EMPTY;
+    table_add(&table, "name\ttwenty-characters-one\ttwenty-characters-two\ttwenty-characters-3\t5five");
+    table_add(&table, "a\t1\t2\t3\t4");
+    check_text(&table, "  name  twenty-characters-one  twenty-characters-two  twenty-characters-3  5five\n"
+                       "  a                         1                      2                    3      4\n");
+    table_add(&table, "name\ttwenty-characters-one\ttwenty-characters-two\ttwenty-characters-3\tsixsix");
+    table_add(&table, "a\t1\t2\t3\t4");
+    check_text(&table, "  name  twenty-characters-one  twenty-characters-two  twenty-characters-3\n"
+                       "  a                         1                      2                    3\n\n"
+                       "  name  sixsix\n  a          4\n");
+}
+
+/* As many as a line has, in characters, which are not bytes. */
+static void test_a_line_holds_eighty_characters(void)
+{
+    table table = TABLE_EMPTY;
+    table_add(&table, "\xc3\xbc\xc3\xbc\xc3\xbc\xc3\xbc\t%030d\t%040d", 1, 2); /* 2 + 4 + 2 + 30 + 2 + 40 = 80 */
+    check_text(&table, "  \xc3\xbc\xc3\xbc\xc3\xbc\xc3\xbc  000000000000000000000000000001  "
+                       "0000000000000000000000000000000000000002\n");
+    table_add(&table, "a\t%030d\t%044d", 1, 2); /* a first column of three, and one character more */
+    check_text(&table, "  a    000000000000000000000000000001\n\n"
+                       "  a    00000000000000000000000000000000000000000002\n");
+}
+
+/* Names may lose their ends where the rest then has room, and not where it has none. */
+static void test_names_are_cut_where_that_is_enough(void)
+{
+    table table = {.cut_first = true};
+    table_add(&table, "name\t%030d\t%030d", 1, 2);
+    table_add(&table, "abc\xc3\xbc" "efghijklmnop\t3\t4"); /* 2 + 16 + 64 = 82: two have to go, and two are dots */
+    table_add(&table, "abc\t5\t6");
+    check_text(&table, "  name            000000000000000000000000000001  000000000000000000000000000002\n"
+                       "  abc\xc3\xbc" "efghijkl..                               3                               4\n"
+                       "  abc                                          5                               6\n");
+    table.cut_first = true;
+    table_add(&table, "abcdefghijk\t%040d\t%034d", 1, 2); /* it would be six characters then */
+    check_text(&table, "  abcdefghijk  0000000000000000000000000000000000000001\n\n"
+                       "  abcdefghijk  0000000000000000000000000000000002\n");
+}
+
 int main(void)
 {
     message_start("test");
@@ -148,5 +198,8 @@ int main(void)
     RUN_TEST(test_what_is_too_long_or_too_many_is_cut);
     RUN_TEST(test_titles);
     RUN_TEST(test_names_of_formats);
+    RUN_TEST(test_what_is_wider_than_a_line_comes_in_parts);
+    RUN_TEST(test_a_line_holds_eighty_characters);
+    RUN_TEST(test_names_are_cut_where_that_is_enough);
     return UNITY_END();
 }

@@ -75,6 +75,13 @@ static void check_same_motion(const armtol_arm *one, const armtol_arm *other, si
     }
 }
 
+static void check_same_name(const armtol_arm *one, const armtol_arm *other, size_t link)
+{
+    const char *a = one->names != NULL ? one->names[link] : NULL, *b = other->names != NULL ? other->names[link] : NULL;
+    REQUIRE((a == NULL) == (b == NULL));
+    REQUIRE(a == NULL || strcmp(a, b) == 0);
+}
+
 static void check_same_arm(const armtol_arm *one, const armtol_arm *other)
 {
     REQUIRE(one->n_links == other->n_links && one->unit == other->unit);
@@ -85,6 +92,7 @@ static void check_same_arm(const armtol_arm *one, const armtol_arm *other)
         check_same_link(&one->links[i], &other->links[i]);
         check_same_drive(&one->drives[i], &other->drives[i]);
         check_same_motion(one, other, i);
+        check_same_name(one, other, i);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include "armtol/ask/arm_source.h"
 #include "armtol/ask/lists.h"
+#include "armtol/names/link_name.h"
 #include "console/exit_code.h"
 #include "console/input_file.h"
 #include "console/message.h"
@@ -29,7 +30,7 @@ static int read_other(against *against)
 
 static bool read_deviations(const request *request, double deviations[])
 {
-    const parameter_table table = {.links = request->arm.links,
+    const parameter_table table = {.arm = &request->arm,
                                    .columns = request->columns,
                                    .n_columns = request->n_columns,
                                    .value = "deviation",
@@ -101,10 +102,10 @@ static bool say_unlike(const against *against, armtol_status status)
     } else if (status == ARMTOL_BAD_JOINT) {
         const size_t link = first_joint_apart(meant, other);
         message(meant->links[link].joint != other->links[link].joint
-                    ? "--against: %s: the joint of link %zu is not of the same kind as that of %s"
-                    : "--against: %s: the joint of link %zu, or one behind it, does not move as that of %s: another "
+                    ? "--against: %s: the joint of %s is not of the same kind as that of %s"
+                    : "--against: %s: the joint of %s, or one behind it, does not move as that of %s: another "
                       "sign, or coupled",
-                against->other, link, meant->name);
+                against->other, link_words(meant, link, &(link_text){""}), meant->name);
     } else {
         message("--against: %s: %s", against->other, armtol_status_text(status));
     }

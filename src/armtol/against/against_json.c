@@ -1,5 +1,6 @@
 #include "armtol/against/against.h"
 
+#include "armtol/names/link_name.h"
 #include "armtol/tell/json.h"
 
 #include <math.h>
@@ -22,9 +23,10 @@ static void write_sizes(json *json, const units *units, const double sizes[2])
     json_number(json, "angle", units_shown(units, false, sizes[1]));
 }
 
-static void write_name(json *json, const armtol_difference *difference)
+static void write_name(json *json, const armtol_arm *arm, const armtol_difference *difference)
 {
     json_count(json, "link", difference->link);
+    json_text_if(json, "name", link_name(arm, difference->link));
     json_text(json, "parameter", armtol_parameter_name(difference->parameter));
 }
 
@@ -41,7 +43,7 @@ static void write_poses(json *json, against *against)
         json_open_array(json, "explained");
         for (size_t k = 0; k < against->n_differences; k++) {
             json_open_object(json, NULL);
-            write_name(json, &against->differences[k]);
+            write_name(json, &against->request->arm, &against->differences[k]);
             write_error(json, units, "error", against->explained + 6 * k);
             json_close_object(json);
         }
@@ -71,7 +73,7 @@ static void write_differences(json *json, const against *against, const against_
         const armtol_difference *difference = &against->differences[share->difference];
         const bool is_length = armtol_parameter_is_length(difference->parameter);
         json_open_object(json, NULL);
-        write_name(json, difference);
+        write_name(json, &against->request->arm, difference);
         json_number(json, "difference", units_shown(units, is_length, difference->value));
         json_text(json, "unit", units_name(units, is_length));
         write_sizes(json, units, share->largest);

@@ -1,5 +1,6 @@
 #include "armtol/against/against.h"
 
+#include "armtol/names/link_name.h"
 #include "armtol/tell/wrap.h"
 #include "console/table.h"
 
@@ -81,7 +82,8 @@ static void add_difference(table *table, const against *against, const against_s
     const armtol_difference *difference = &against->differences[share->difference];
     const units *units = &against->request->units;
     const bool is_length = armtol_parameter_is_length(difference->parameter);
-    table_add(table, "%zu\t%s\t%.6g\t%s", difference->link, armtol_parameter_name(difference->parameter),
+    table_add(table, "%s of %s\t%.6g\t%s", armtol_parameter_name(difference->parameter),
+              link_cell(&against->request->arm, difference->link, &(link_text){""}),
               units_shown(units, is_length, difference->value), units_name(units, is_length));
     add_sizes(table, units, share->largest);
     add_share(table, share->share[0]);
@@ -90,16 +92,16 @@ static void add_difference(table *table, const against *against, const against_s
 
 static bool print_differences(const against *against, const against_summary *summary)
 {
-    table table = TABLE_EMPTY;
+    table table = {.cut_first = true};
     if (against->n_differences == 0) {
         printf("\nNo parameter differs.\n");
         return true;
     }
-    table_add(&table, "link\tparameter\tdifference\tunit\tdistance\tangle\tof distance\tof angle");
+    table_add(&table, "parameter\tdifference\tunit\tdistance\tangle\tof distance\tof angle");
     for (size_t k = 0; k < against->n_differences; k++) {
         add_difference(&table, against, &summary->shares[k]);
     }
-    table_add(&table, "all\ttogether\t-\t-\t-\t-");
+    table_add(&table, "all together\t-\t-\t-\t-");
     add_share(&table, summary->together[0]);
     add_share(&table, summary->together[1]);
     return table_finish(&table, "What explains it: how far each difference moves the tool alone, at most,",

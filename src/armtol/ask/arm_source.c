@@ -1,6 +1,7 @@
 #include "armtol/ask/arm_source.h"
 
 #include "armtol/ask/units.h"
+#include "armtol/names/link_name.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tables/arm_laying.h"
 #include "armtol/tables/arm_table.h"
@@ -82,8 +83,8 @@ static bool check_angle(const char *path, const arm_model *model, size_t i, arm_
     const double radians = *arm_column_number(column, &entry);
     const bool fine = !isfinite(radians) || fabs(radians) <= LARGEST_ANGLE;
     if (!fine) {
-        message("%s: link %zu: %s: %g rad is too large; expected at most %g", path, i, arm_column_name(column), radians,
-                LARGEST_ANGLE);
+        message("%s: %s: %s: %g rad is too large; expected at most %g", path,
+                link_words(&model->arm, i, &(link_text){""}), arm_column_name(column), radians, LARGEST_ANGLE);
     }
     return fine;
 }

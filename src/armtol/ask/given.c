@@ -76,7 +76,7 @@ bool given_parse(const char *text, const named_columns *of, const units *units, 
         least[k] = 0;
         largest[k] = (double)INFINITY;
     }
-    return text == NULL || named_each("--given", text, take_range, &ranges);
+    return text == NULL || named_each("--given", text, of->arm, take_range, &ranges);
 }
 
 /* ---- tolerances ---- */
@@ -100,7 +100,7 @@ static bool take_tolerance(const named_item *item, void *context)
 bool given_tolerances_parse(const char *text, const named_columns *of, const units *units, double tolerances[])
 {
     ranges ranges = {*of, units, tolerances, NULL};
-    return named_each("--tolerances", text, take_tolerance, &ranges);
+    return named_each("--tolerances", text, of->arm, take_tolerance, &ranges);
 }
 
 /* ---- drives ---- */
@@ -184,5 +184,5 @@ static bool take_drive(const named_item *item, void *context)
 bool given_drives_parse(const char *text, const armtol_arm *arm, const units *units, armtol_drive drives[])
 {
     driven driven = {arm, units, drives};
-    return text == NULL || named_each("--drives", text, take_drive, &driven);
+    return text == NULL || named_each("--drives", text, arm, take_drive, &driven);
 }

@@ -1,6 +1,7 @@
 #ifndef ARMTOL_ASK_LISTS_H
 #define ARMTOL_ASK_LISTS_H
 
+#include "armtol/arm.h"
 #include "armtol/error_matrix.h"
 #include "armtol/link.h"
 
@@ -21,7 +22,7 @@ bool poses_read(FILE *stream, const char *path, size_t n_joints, double **poses,
 
 /* What a file says of parameters: one value a column of A; the file has a head that names its columns. */
 typedef struct parameter_table {
-    const armtol_link *links;
+    const armtol_arm *arm;
     const armtol_column *columns; /* of A */
     size_t n_columns;
     const char *value; /* the name of the column that is wanted: tolerance, weight */
@@ -32,7 +33,7 @@ typedef struct parameter_table {
 } parameter_table;
 
 /*
- * Rows of link (its number from 0), parameter (theta, d, a, alpha, beta) and the wanted value; other columns are passed
+ * Rows of link (its number from 0, or its name), parameter (theta, d, a, alpha, beta) and the wanted value; other columns are passed
  * over. So `armtol --csv` can be read again. Values are greater than 0, or 0 where zero_allowed; "inf" or "-" is infinite where
  * infinite_allowed. After a message values[] is of no use.
  */

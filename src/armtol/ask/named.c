@@ -1,45 +1,72 @@
 #include "armtol/ask/named.h"
 
 #include "armtol/budget.h"
+#include "armtol/names/link_name.h"
 #include "console/message.h"
 #include "console/word.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 enum { LINK_DIGITS = 6 };
 
 /* ---- items ---- */
 
-/* Takes "3." off the front of a name. */
-static long link_of(const char **name)
+/* A number of a few digits, or NAMED_ANY_LINK. */
+static long number_of(const char *text)
 {
-    const size_t length = strspn(*name, "0123456789");
-    if (length == 0 || length > LINK_DIGITS || (*name)[length] != '.') {
-        return NAMED_ANY_LINK;
+    const size_t length = strspn(text, "0123456789");
+    return length > 0 && length <= LINK_DIGITS && text[length] == '\0' ? strtol(text, NULL, 10) : NAMED_ANY_LINK;
+}
+
+/* The link that stands before the dot. False after a message. */
+static bool find_link(const named_item *item, const armtol_arm *arm, const char *text, long *link)
+{
+    const size_t of_that_name = link_named(arm, text), n = arm->n_links;
+    *link = number_of(text);
+    if (*link == NAMED_ANY_LINK && of_that_name == n) {
+        message("%s: %s has no link %s", item->option, arm->name, message_quote(text, &(quoted){""}));
+        return false;
     }
-    long link = 0;
-    for (size_t i = 0; i < length; i++) {
-        link = 10 * link + ((*name)[i] - '0');
+    if (*link != NAMED_ANY_LINK && of_that_name != n && (size_t)*link != of_that_name) {
+        message("%s: %s may be link %ld, or link %zu, which is called so; expected the other one's number", item->option,
+                message_quote(item->whole, &(quoted){""}), *link, of_that_name);
+        return false;
     }
-    *name += length + 1;
-    return link;
+    *link = *link == NAMED_ANY_LINK ? (long)of_that_name : *link;
+    return true;
+}
+
+/* Takes "3." or "elbow." off the front of a name, in which there may be dots too. */
+static bool take_link(named_item *item, const armtol_arm *arm)
+{
+    char text[WORD];
+    const char *dot = strrchr(item->whole, '.');
+    if (dot == NULL) {
+        return true;
+    }
+    const size_t length = (size_t)(dot - item->whole);
+    memcpy(text, item->whole, length);
+    text[length] = '\0';
+    item->name = dot + 1;
+    return find_link(item, arm, text, &item->link);
 }
 
 /* Cuts the word at its sign. */
 static named_item item_of(const char *option, char word[WORD])
 {
-    named_item item = {.option = option, .whole = word, .name = word};
+    named_item item = {.option = option, .whole = word, .name = word, .link = NAMED_ANY_LINK};
     const size_t length = strcspn(word, "=<>");
     char *sign = word + length;
     const size_t n = *sign == '=' ? 1 : *sign != '\0' && sign[1] == '=' ? 2 : 0;
     memcpy(item.sign, sign, n);
     item.value = sign + n;
     *sign = '\0';
-    item.link = link_of(&item.name);
     return item;
 }
 
-bool named_each(const char *option, const char *text, bool (*take)(const named_item *item, void *context), void *context)
+bool named_each(const char *option, const char *text, const armtol_arm *arm,
+                bool (*take)(const named_item *item, void *context), void *context)
 {
     for (;; text++) {
         char word[WORD];
@@ -47,8 +74,8 @@ bool named_each(const char *option, const char *text, bool (*take)(const named_i
             message("%s: %s is too long", option, message_quote(word, &(quoted){""}));
             return false;
         }
-        const named_item item = item_of(option, word);
-        if (!take(&item, context)) {
+        named_item item = item_of(option, word);
+        if (!take_link(&item, arm) || !take(&item, context)) {
             return false;
         }
         if (*text != ',') {

@@ -12,7 +12,7 @@
 typedef struct named_item {
     const char *option;
     const char *whole; /* as typed, up to the sign */
-    long link;         /* of "3.alpha"; NAMED_ANY_LINK where there is none */
+    long link;         /* of "3.alpha" and "elbow.alpha"; NAMED_ANY_LINK where there is none */
     const char *name;  /* behind it */
     char sign[3];      /* "=", ">=", "<="; empty where there is none */
     const char *value;
@@ -20,8 +20,13 @@ typedef struct named_item {
 
 enum { NAMED_ANY_LINK = -1 };
 
-/* Hands every item to `take`, until that is false. False, after a message, for one that is too long, too. */
-bool named_each(const char *option, const char *text, bool (*take)(const named_item *item, void *context), void *context);
+/*
+ * Hands every item to `take`, until that is false. False, after a message, for one that is too long, too, and for one of a
+ * link that the arm does not have. A number is that of a link, also where a link is called so; where that is another
+ * link, the item is refused.
+ */
+bool named_each(const char *option, const char *text, const armtol_arm *arm,
+                bool (*take)(const named_item *item, void *context), void *context);
 
 /* Whether the item has a sign of those in `signs`; else false after a message with what was expected. */
 bool named_is(const named_item *item, const char *signs, const char *expected);

@@ -1,6 +1,7 @@
 #include "armtol/ask/nothing_left.h"
 
 #include "armtol/budget.h"
+#include "armtol/names/link_name.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 
@@ -35,7 +36,7 @@ static double whole_of(const armtol_answer *answer, size_t i)
                                                : component->worst;
 }
 
-static void list_sources(const armtol_budget *budget, size_t i, double percent, char *text, size_t size)
+static void list_sources(const armtol_arm *arm, const armtol_budget *budget, size_t i, double percent, char *text, size_t size)
 {
     size_t n = 0, length = 0;
     for (size_t r = 0; r < budget->n_rows; r++) {
@@ -44,8 +45,9 @@ static void list_sources(const armtol_budget *budget, size_t i, double percent, 
             continue;
         }
         if (n++ < NAMED) {
-            length += (size_t)snprintf(text + length, size - length, "%s%s of link %zu %.3g %%", n > 1 ? ", " : "",
-                                       armtol_role_name(row->role), row->link, percent * row->shares[i]);
+            length += (size_t)snprintf(text + length, size - length, "%s%s of %s %.3g %%", n > 1 ? ", " : "",
+                                       armtol_role_name(row->role), link_words(arm, row->link, &(link_text){""}),
+                                       percent * row->shares[i]);
         }
     }
     if (n > NAMED) {
@@ -57,11 +59,11 @@ static void say(const request *request, const armtol_answer *answer, const armto
 {
     const size_t i = row % 6, n_loads = request->loading.n_payloads, place = row / 6;
     const double percent = 100 * whole_of(answer, i) / request->accuracy[i];
-    char sources[512] = "", load[32] = "";
+    char sources[NAMED * (sizeof(link_text) + 40) + 32] = "", load[32] = "";
     if (n_loads > 1) {
         snprintf(load, sizeof load, " with load %zu", place % n_loads + 1);
     }
-    list_sources(budget, i, percent, sources, sizeof sources);
+    list_sources(&request->arm, budget, i, percent, sources, sizeof sources);
     message("no tolerances: %s %.4g %% of %s in pose %zu%s: %s",
             request->options->given != NULL ? "what is given uses" : "the drives alone use", percent,
             armtol_component_name(i), place / (n_loads > 0 ? n_loads : 1) + 1, load, sources);

@@ -1,5 +1,6 @@
 #include "armtol/ask/lists.h"
 
+#include "armtol/names/link_name.h"
 #include "armtol/tables/cells.h"
 #include "console/exit_code.h"
 #include "console/file_message.h"
@@ -85,13 +86,14 @@ static bool has_all_fields(const parameter_reader *reader)
 
 static bool read_link(const parameter_reader *reader, size_t *link)
 {
+    const armtol_arm *arm = reader->table->arm;
     const size_t place = reader->places[FIELD_LINK], n_links = link_count(reader->table);
     const char *text = reader->row.cells[place].text;
     const bool whole = text[strspn(text, "0123456789")] == '\0';
-    *link = whole ? (size_t)strtoul(text, NULL, 10) : SIZE_MAX; /* what is too large for strtoul is its largest */
+    *link = whole ? (size_t)strtoul(text, NULL, 10) : link_named(arm, text); /* what is too large is strtoul's largest */
     if (*link >= n_links) {
-        cells_message(&reader->row, place, "link %s: expected a whole number from 0 to %zu, the last link",
-                      message_quote(text, &(quoted){""}), n_links - 1);
+        cells_message(&reader->row, place, "link %s: expected a whole number from 0 to %zu, the last link%s",
+                      message_quote(text, &(quoted){""}), n_links - 1, links_have_names(arm) ? ", or the name of one" : "");
     }
     return *link < n_links;
 }
@@ -119,10 +121,10 @@ static bool find_column(const parameter_reader *reader, size_t link, size_t *col
         }
     }
     char parameters[64];
-    list_parameters(table->links[link].kind, parameters, sizeof parameters);
+    list_parameters(table->arm->links[link].kind, parameters, sizeof parameters);
     cells_message(&reader->row, reader->places[FIELD_PARAMETER],
-                  "link %zu, of kind %s, has no parameter %s; expected %s", link,
-                  armtol_kind_name(table->links[link].kind), message_quote(cell->text, &(quoted){""}), parameters);
+                  "%s, of kind %s, has no parameter %s; expected %s", link_words(table->arm, link, &(link_text){""}),
+                  armtol_kind_name(table->arm->links[link].kind), message_quote(cell->text, &(quoted){""}), parameters);
     return false;
 }
 
@@ -174,8 +176,9 @@ static bool take_row(parameter_reader *reader)
         return false;
     }
     if (reader->lines[column] > 0) {
-        cells_message(&reader->row, 0, "%s of link %zu a second time; the first is in line %zu",
-                      armtol_parameter_name(reader->table->columns[column].parameter), link, reader->lines[column]);
+        cells_message(&reader->row, 0, "%s of %s a second time; the first is in line %zu",
+                      armtol_parameter_name(reader->table->columns[column].parameter),
+                      link_words(reader->table->arm, link, &(link_text){""}), reader->lines[column]);
         return false;
     }
     reader->lines[column] = reader->row.line;

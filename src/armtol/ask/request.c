@@ -5,6 +5,8 @@
 #include "armtol/ask/nothing_left.h"
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
+#include "armtol/names/joint_values.h"
+#include "armtol/names/link_name.h"
 #include "console/exit_code.h"
 #include "console/input_file.h"
 #include "console/message.h"
@@ -31,14 +33,17 @@ static double size_of_end(double end)
 /* Who moves: a joint, or a link that follows one. */
 static const char *mover_text(const armtol_arm *arm, size_t link, char *text, size_t room)
 {
+    link_text leader;
     size_t joint = 0;
     for (size_t i = 0; i < link; i++) {
         joint += armtol_arm_is_driven(arm, i);
     }
     if (armtol_arm_is_driven(arm, link)) {
-        snprintf(text, room, "joint %zu", joint + 1);
+        const char *name = link_name(arm, link);
+        snprintf(text, room, name != NULL ? "joint %zu (%s)" : "joint %zu", joint + 1, name);
     } else {
-        snprintf(text, room, "link %zu, which follows link %zu", link, arm->motions[link].follows);
+        link_words(arm, arm->motions[link].follows, &leader);
+        snprintf(text, room, "%s, which follows %s", link_words(arm, link, &(link_text){""}), leader.text);
     }
     return text;
 }
@@ -47,7 +52,7 @@ static void say_limits(const units *units, const armtol_arm *arm, size_t link, s
 {
     const armtol_drive *drive = &arm->drives[link];
     const bool none = drive->low == 0 && drive->high == 0;
-    char mover[80];
+    char mover[2 * sizeof(link_text) + 20];
     message("pose %zu, %s: %s is beyond its limits; expected %s to %s %s (%s--ignore-limits sets limits aside)", pose + 1,
             mover_text(arm, link, mover, sizeof mover), joint_text(units, &arm->links[link], value, &(number_text){""}),
             joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
@@ -108,6 +113,9 @@ static bool parse_joints(const char *text, const armtol_arm *arm, size_t n_joint
     if (*poses == NULL) {
         out_of_memory();
         return false;
+    }
+    if (joint_values_are_named(text)) {
+        return joint_values_parse(text, arm, *poses);
     }
     snprintf(what, sizeof what, "a value for each joint of %.20s", arm->name);
     return number_list_parse("--joints", text, what, false, n_joints, *poses);
@@ -264,8 +272,8 @@ static bool take_tolerances(request *request, const char *path)
         const armtol_column *column = &request->columns[k];
         const bool is_length = armtol_parameter_is_length(column->parameter);
         if (!take_value(&request->units, is_length, &request->tolerances[k])) {
-            message("--tolerances: %s: %s of link %zu: the tolerance is too large", path,
-                    armtol_parameter_name(column->parameter), column->link);
+            message("--tolerances: %s: %s of %s: the tolerance is too large", path,
+                    armtol_parameter_name(column->parameter), link_words(&request->arm, column->link, &(link_text){""}));
             return false;
         }
     }
@@ -279,7 +287,7 @@ static bool read_tolerances(request *request)
         const named_columns of = {request->question.arm, request->columns, request->n_columns};
         return given_tolerances_parse(path, &of, &request->units, request->tolerances);
     }
-    const parameter_table table = {.links = request->question.arm->links,
+    const parameter_table table = {.arm = request->question.arm,
                                    .columns = request->columns,
                                    .n_columns = request->n_columns,
                                    .value = "tolerance",
@@ -371,8 +379,9 @@ int request_failed(const request *request, const armtol_fault *fault)
         return nothing_left(request, fault->number);
     }
     if (fault->about == ARMTOL_ABOUT_DRIVES) {
-        message("the drive of link %zu: nothing says what loads its compliance; expected masses in the arm's table, "
-                "--payload, --force, or a moment beside the compliance", fault->number);
+        message("the drive of %s: nothing says what loads its compliance; expected masses in the arm's table, "
+                "--payload, --force, or a moment beside the compliance",
+                link_words(&request->arm, fault->number, &(link_text){""}));
         return EXIT_WRONG;
     }
     if (fault->about == ARMTOL_ABOUT_ARM || fault->about == ARMTOL_ABOUT_POSE) {

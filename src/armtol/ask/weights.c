@@ -31,7 +31,7 @@ static bool take_item(const named_item *item, void *context)
 
 static bool take_table(const char *path, const weighted *weighted)
 {
-    const parameter_table table = {.links = weighted->of.arm->links,
+    const parameter_table table = {.arm = weighted->of.arm,
                                    .columns = weighted->of.columns,
                                    .n_columns = weighted->of.n_columns,
                                    .value = "weight"};
@@ -54,5 +54,5 @@ bool weights_parse(const char *text, const armtol_arm *arm, const armtol_column 
     if (text == NULL) {
         return true;
     }
-    return strchr(text, '=') != NULL ? named_each("--weights", text, take_item, &weighted) : take_table(text, &weighted);
+    return strchr(text, '=') != NULL ? named_each("--weights", text, arm, take_item, &weighted) : take_table(text, &weighted);
 }

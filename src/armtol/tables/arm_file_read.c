@@ -9,12 +9,13 @@
 #include "console/exit_code.h"
 #include "console/file_message.h"
 #include "console/list_room.h"
+#include "console/message.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-static const char expected_head[] = "expected a row of names: joint, a, alpha, d, theta and, as needed, kind, beta, "
+static const char expected_head[] = "expected a row of names: joint, a, alpha, d, theta and, as needed, name, kind, beta, "
                                     "sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, "
                                     "friction, mass, com_x, com_y, com_z";
 
@@ -25,8 +26,9 @@ typedef struct arm_reader {
     arm_head head;
     arm_columns columns;
     size_t n_rows;
-    size_t row_room, couple_room;
+    size_t row_room, couple_room, name_room;
     arm_entry *rows;
+    char **names; /* of the rows; NULL for one that has none */
     file_place *couples; /* where a row says what it follows */
     file_place last_kind; /* where the last row's kind stands */
 } arm_reader;
@@ -44,6 +46,10 @@ static void end(arm_reader *reader)
     text_lines_free(&reader->lines);
     cells_free(&reader->row);
     arm_head_free(&reader->head);
+    for (size_t i = 0; i < reader->n_rows; i++) {
+        free(reader->names[i]);
+    }
+    free(reader->names);
     free(reader->rows);
     free(reader->couples);
 }
@@ -92,7 +98,9 @@ static bool grow(arm_reader *reader)
     reader->rows = rows;
     file_place *couples = list_room(reader->couples, reader->n_rows, &reader->couple_room, sizeof *couples);
     reader->couples = couples != NULL ? couples : reader->couples;
-    return couples != NULL;
+    char **names = couples != NULL ? list_room(reader->names, reader->n_rows, &reader->name_room, sizeof *names) : NULL;
+    reader->names = names != NULL ? names : reader->names;
+    return names != NULL;
 }
 
 static file_place place_of_kind(const arm_reader *reader)
@@ -100,6 +108,35 @@ static file_place place_of_kind(const arm_reader *reader)
     const size_t place = reader->columns.place[COLUMN_KIND];
     const size_t column = place < reader->row.n ? reader->row.cells[place].column : 1;
     return (file_place){reader->lines.path, reader->lines.number, column};
+}
+
+/* No two rows have the same name: lists on the command line mean one of them. */
+static bool check_name(const arm_reader *reader, const char *name)
+{
+    for (size_t i = 0; i < reader->n_rows; i++) {
+        if (reader->names[i] != NULL && strcmp(reader->names[i], name) == 0) {
+            cells_message(&reader->row, reader->columns.place[COLUMN_NAME], "name: a second %s; the first is in line %zu",
+                          message_quote(name, &(quoted){""}), reader->couples[i].line);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The row's name is in the line, which goes. */
+static bool keep_name(arm_reader *reader, arm_entry *row)
+{
+    const bool has_name = row->name != NULL;
+    if (has_name && !check_name(reader, row->name)) {
+        return false;
+    }
+    char *kept = has_name ? strdup(row->name) : NULL;
+    reader->names[reader->n_rows] = kept;
+    row->name = kept;
+    if (has_name && kept == NULL) {
+        out_of_memory();
+    }
+    return !has_name || kept != NULL;
 }
 
 static bool take_row(arm_reader *reader)
@@ -110,7 +147,8 @@ static bool take_row(arm_reader *reader)
         return false;
     }
     if (!grow(reader) || !arm_row_read(&reader->row, &reader->columns, reader->head.angle_unit, n, &reader->rows[n],
-                                       &reader->couples[n])) {
+                                       &reader->couples[n]) ||
+        !keep_name(reader, &reader->rows[n])) {
         return false;
     }
     reader->n_rows++;

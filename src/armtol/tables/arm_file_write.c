@@ -3,6 +3,7 @@
 #include "armtol/tables/arm_rows.h"
 #include "armtol/tables/arm_table.h"
 #include "armtol/tables/degrees.h"
+#include "armtol/tables/text_lines.h"
 #include "console/number.h"
 
 #include <math.h>
@@ -65,6 +66,9 @@ static bool motion_is_known(const arm_entry *row, size_t index, arm_column colum
 /* Also where the number says no more than the default does; -0 is another number than 0. */
 static bool is_known(const arm_entry *row, size_t index, bool has_masses, arm_column column)
 {
+    if (column == COLUMN_NAME) {
+        return row->name != NULL;
+    }
     if (column == COLUMN_BETA) {
         return row->link.beta != 0 || signbit(row->link.beta);
     }
@@ -80,6 +84,9 @@ static bool is_known(const arm_entry *row, size_t index, bool has_masses, arm_co
 static const char *cell_of(const arm_writer *writer, size_t index, arm_column column, number_text *room)
 {
     arm_entry row = arm_entry_of(writer->arm, index);
+    if (column == COLUMN_NAME) {
+        return row.name != NULL ? row.name : "-";
+    }
     if (column == COLUMN_KIND) {
         return armtol_kind_name(row.link.kind);
     }
@@ -101,6 +108,24 @@ static const char *cell_of(const arm_writer *writer, size_t index, arm_column co
     return degrees ? degrees_shortest(value, room) : number_shortest(value, &armtol_errata_none, room);
 }
 
+/* Names are the user's: one with a separator, a comment or a quote in it, or blanks around it, stands in quotes. */
+static bool needs_quotes(arm_column column, const char *text)
+{
+    const size_t length = strlen(text);
+    return column == COLUMN_NAME && (strpbrk(text, "\",;#") != NULL || text[0] == ' ' || text[length - 1] == ' ');
+}
+
+/* In characters, as it is written. */
+static size_t length_of(arm_column column, const char *text)
+{
+    const bool quotes = needs_quotes(column, text);
+    size_t length = text_characters(text, text + strlen(text)) + (quotes ? 2 : 0);
+    for (; quotes && *text != '\0'; text++) {
+        length += *text == '"';
+    }
+    return length;
+}
+
 /* ---- columns ---- */
 
 static bool any_known(const armtol_arm *arm, arm_column column)
@@ -117,7 +142,7 @@ static int width_of(const arm_writer *writer, arm_column column)
 {
     size_t width = strlen(arm_column_name(column));
     for (size_t i = 0; i < writer->arm->n_links; i++) {
-        const size_t length = strlen(cell_of(writer, i, column, &(number_text){""}));
+        const size_t length = length_of(column, cell_of(writer, i, column, &(number_text){""}));
         width = length > width ? length : width;
     }
     return (int)width;
@@ -161,12 +186,25 @@ static void write_text(const char *key, const char *text, FILE *stream)
     fputs(plain ? "\n" : "\"\n", stream);
 }
 
+static void write_quoted(const char *text, bool quotes, FILE *stream)
+{
+    fputs(quotes ? "\"" : "", stream);
+    for (; *text != '\0'; text++) {
+        fputs(quotes && *text == '"' ? "\"" : "", stream);
+        fputc(*text, stream);
+    }
+    fputs(quotes ? "\"" : "", stream);
+}
+
 /* Words begin below each other, numbers end below each other. */
 static void write_cell(const arm_writer *writer, size_t place, const char *text, FILE *stream)
 {
     const bool word = writer->columns[place] <= COLUMN_JOINT, last = place + 1 == writer->n_columns;
-    const int width = writer->widths[place], behind = word ? width - (int)strlen(text) : 0;
-    fprintf(stream, "%*s%s%*s", word ? 0 : width, text, last ? "\n" : ", ", behind, "");
+    const size_t length = length_of(writer->columns[place], text);
+    const int space = writer->widths[place] - (int)length;
+    fprintf(stream, "%*s", word ? 0 : space, "");
+    write_quoted(text, needs_quotes(writer->columns[place], text), stream);
+    fprintf(stream, "%s%*s", last ? "\n" : ", ", word ? space : 0, "");
 }
 
 static void write_table(const arm_writer *writer, FILE *stream)

@@ -272,9 +272,41 @@ static head_result take_quoted(arm_head *head, text_lines *lines, cell_row *row)
     return check_key(head, lines, &word, key) && take_value(head, key, row, 1) ? HEAD_TAKEN : HEAD_WRONG;
 }
 
+/* Whether a line is a table's head row whose first column is called as a key is: a link has a name, as the arm has. */
+static bool is_head_row(const char *line)
+{
+    static const char *const needed[] = {"joint", "theta", "alpha"};
+    static const char between[] = " \t,;\"";
+    size_t n = 0, found = 0;
+    for (const char *at = line + strspn(line, between); *at != '\0' && *at != '#' && *at != ':'; n++) {
+        const size_t length = strcspn(at, between);
+        if (n == 0 && (length != strlen("name") || strncasecmp(at, "name", length) != 0)) {
+            return false;
+        }
+        for (size_t i = 0; i < sizeof needed / sizeof needed[0]; i++) {
+            found += strncasecmp(at, needed[i], strlen(needed[i])) == 0;
+        }
+        at += length;
+        at += strspn(at, between);
+    }
+    return found >= sizeof needed / sizeof needed[0];
+}
+
+static head_result take_head_row(text_lines *lines, cell_row *row)
+{
+    if (!cells_split(row, lines, lines->text, CELLS_ANY)) {
+        return HEAD_WRONG;
+    }
+    cells_drop_comment(row);
+    return HEAD_ENDS;
+}
+
 head_result arm_head_take(arm_head *head, text_lines *lines, cell_row *row)
 {
     const key_word word = word_of(lines->text);
+    if (is_head_row(lines->text)) {
+        return take_head_row(lines, row);
+    }
     if (has_key(&word)) {
         return take(head, lines, row, &word);
     }

@@ -17,6 +17,7 @@ typedef struct layer {
     armtol_drive *drives;
     armtol_mass *masses;
     armtol_motion *motions;
+    const char **names;
     size_t *joint_links; /* of the model's joints: the new links */
     size_t n_links;
     armtol_snapped *snapped;
@@ -33,11 +34,12 @@ static bool layer_start(layer *layer, const arm_model *model)
         .drives = calloc(most, sizeof *layer->drives),
         .masses = calloc(most, sizeof *layer->masses),
         .motions = calloc(most, sizeof *layer->motions),
+        .names = calloc(most, sizeof *layer->names),
         .joint_links = calloc(most, sizeof *layer->joint_links),
         .snapped = calloc(most, sizeof *layer->snapped),
     };
     const bool fine = layer->axes != NULL && layer->links != NULL && layer->drives != NULL && layer->masses != NULL &&
-                      layer->motions != NULL && layer->joint_links != NULL && layer->snapped != NULL;
+                      layer->motions != NULL && layer->names != NULL && layer->joint_links != NULL && layer->snapped != NULL;
     if (!fine) {
         out_of_memory();
     }
@@ -51,6 +53,7 @@ static void layer_free(layer *layer)
     free(layer->drives);
     free(layer->masses);
     free(layer->motions);
+    free(layer->names);
     free(layer->joint_links);
     free(layer->snapped);
 }
@@ -113,6 +116,22 @@ static void move_drives(layer *layer)
     }
 }
 
+/* Names follow their joints too; that of the old first or last link stays in its place if both are fixed. */
+static void move_names(layer *layer)
+{
+    const armtol_arm *arm = &layer->model->arm;
+    const size_t last = layer->n_links - 1, old_last = arm->n_links - 1;
+    for (size_t joint = 0; joint < layer->n_axes; joint++) {
+        layer->names[layer->joint_links[joint]] = arm->names[link_of_joint(arm, joint)];
+    }
+    if (layer->links[0].joint == ARMTOL_FIXED && arm->links[0].joint == ARMTOL_FIXED) {
+        layer->names[0] = arm->names[0];
+    }
+    if (layer->links[last].joint == ARMTOL_FIXED && arm->links[old_last].joint == ARMTOL_FIXED) {
+        layer->names[last] = arm->names[old_last];
+    }
+}
+
 static bool replace(layer *layer, arm_model *model, const arm_laying *laying)
 {
     armtol_arm arm = model->arm;
@@ -121,6 +140,10 @@ static bool replace(layer *layer, arm_model *model, const arm_laying *laying)
     if (arm.masses != NULL) {
         laid_masses_make(&model->arm, layer->links, layer->n_links, layer->masses);
         arm.masses = layer->masses;
+    }
+    if (arm.names != NULL) {
+        move_names(layer);
+        arm.names = layer->names;
     }
     arm.n_links = layer->n_links;
     arm.links = layer->links;

@@ -1,5 +1,6 @@
 #include "armtol/tables/arm_model.h"
 
+#include "armtol/names/link_name.h"
 #include "armtol/tables/arm_table.h"
 #include "console/exit_code.h"
 #include "console/message.h"
@@ -18,6 +19,23 @@ static void *keep(arm_model *model, size_t place, const void *bytes, size_t n)
     return model->memory[place];
 }
 
+/* The names, and their letters behind the pointers: one piece of memory. */
+static void *keep_names(arm_model *model, size_t place, const char *const names[], size_t n)
+{
+    size_t letters = 0;
+    for (size_t i = 0; i < n; i++) {
+        letters += names[i] != NULL ? strlen(names[i]) + 1 : 0;
+    }
+    const char **kept = malloc(n * sizeof *kept + letters);
+    model->memory[place] = kept;
+    char *at = kept != NULL ? (char *)(kept + n) : NULL;
+    for (size_t i = 0; i < n && kept != NULL; i++) {
+        kept[i] = names[i] != NULL ? strcpy(at, names[i]) : NULL;
+        at += names[i] != NULL ? strlen(names[i]) + 1 : 0;
+    }
+    return kept;
+}
+
 bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_unit)
 {
     *model = (arm_model){.arm = *arm, .angle_unit = angle_unit};
@@ -32,7 +50,10 @@ bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_un
     if (arm->motions != NULL) {
         model->arm.motions = keep(model, 6, arm->motions, arm->n_links * sizeof *arm->motions);
     }
-    const bool wanted[] = {true, true, true, true, true, arm->masses != NULL, arm->motions != NULL};
+    if (arm->names != NULL) {
+        model->arm.names = keep_names(model, 7, arm->names, arm->n_links);
+    }
+    const bool wanted[] = {true, true, true, true, true, arm->masses != NULL, arm->motions != NULL, arm->names != NULL};
     for (size_t i = 0; i < sizeof model->memory / sizeof model->memory[0]; i++) {
         if (wanted[i] && model->memory[i] == NULL) {
             arm_model_free(model);
@@ -91,7 +112,8 @@ bool arm_model_convert(arm_model *model, armtol_length_unit unit)
     for (size_t i = 0; i < model->arm.n_links && unit != model->arm.unit; i++) {
         arm_entry entry = arm_entry_of(&model->arm, i);
         if (!convert_entry(&entry, factor, divisor)) {
-            message("%s: link %zu: a length is too large in %s", model->arm.name, i, armtol_length_unit_name(unit));
+            message("%s: %s: a length is too large in %s", model->arm.name,
+                    link_words(&model->arm, i, &(link_text){""}), armtol_length_unit_name(unit));
             return false;
         }
         links[i] = entry.link;

@@ -19,14 +19,14 @@ typedef struct arm_laying {
 } arm_laying;
 
 /*
- * An arm that was read, and the memory that it is made of: texts, links, drives and masses are its own. Angles are radians
+ * An arm that was read, and the memory that it is made of: texts, links, drives, masses and names are its own. Angles are radians
  * inside, whatever the file had; angle_unit says what people are to be shown.
  */
 typedef struct arm_model {
     armtol_arm arm;
     angle_unit angle_unit;
     arm_laying laying;
-    void *memory[7]; /* name, title, source, links, drives, masses, motions; freed by arm_model_free */
+    void *memory[8]; /* name, title, source, links, drives, masses, motions, names; freed by arm_model_free */
 } arm_model;
 
 /* A copy of the given parts. False, after a message, where memory is short. */

@@ -42,6 +42,19 @@ static bool check_length(const row_reader *reader)
 
 /* ---- one cell ---- */
 
+/* A tab sets cells of tables apart; a spreadsheet's word for a value that it could not work out is no name. */
+static bool read_name(row_reader *reader, size_t place)
+{
+    const char *name = reader->cells->cells[place].text;
+    if (*name == '#' || strchr(name, '\t') != NULL) {
+        cells_message(reader->cells, place, "name: %s %s", message_quote(name, &(quoted){""}),
+                      *name == '#' ? "begins with #" : "has a tab in it");
+        return false;
+    }
+    reader->entry.name = name;
+    return true;
+}
+
 static bool read_kind(row_reader *reader, size_t place)
 {
     const cell *cell = &reader->cells->cells[place];
@@ -170,6 +183,8 @@ static bool read_cell(row_reader *reader, arm_column column)
         return arm_column_is_optional(column);
     }
     switch (column) {
+    case COLUMN_NAME:
+        return read_name(reader, place);
     case COLUMN_KIND:
         return read_kind(reader, place);
     case COLUMN_JOINT:

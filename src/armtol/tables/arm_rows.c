@@ -18,9 +18,10 @@ typedef struct split {
     armtol_drive *drives;
     armtol_mass *masses;
     armtol_motion *motions;
+    const char **names;
     armtol_axis *axes;  /* for the work */
     armtol_kind *kinds; /* that the axes have */
-    bool any_motion;
+    bool any_motion, any_name;
 } split;
 
 static bool split_start(split *split, size_t n_rows)
@@ -30,11 +31,12 @@ static bool split_start(split *split, size_t n_rows)
         .drives = calloc(n_rows, sizeof *split->drives),
         .masses = calloc(n_rows, sizeof *split->masses),
         .motions = calloc(n_rows, sizeof *split->motions),
+        .names = calloc(n_rows, sizeof *split->names),
         .axes = calloc(n_rows, sizeof *split->axes),
         .kinds = calloc(n_rows, sizeof *split->kinds),
     };
     const bool fine = split->links != NULL && split->drives != NULL && split->masses != NULL && split->motions != NULL &&
-                      split->axes != NULL && split->kinds != NULL;
+                      split->names != NULL && split->axes != NULL && split->kinds != NULL;
     if (!fine) {
         out_of_memory();
     }
@@ -47,6 +49,7 @@ static void split_free(split *split)
     free(split->drives);
     free(split->masses);
     free(split->motions);
+    free(split->names);
     free(split->axes);
     free(split->kinds);
 }
@@ -74,6 +77,8 @@ static void fill(split *split, const arm_rows *rows)
         split->masses[i] = row->mass;
         split->motions[i] = row->motion;
         split->any_motion = split->any_motion || !moves_by_itself(row, i);
+        split->names[i] = row->name;
+        split->any_name = split->any_name || row->name != NULL;
     }
 }
 
@@ -90,6 +95,7 @@ bool arm_rows_make(const arm_rows *rows, const armtol_arm *heading, angle_unit a
         arm.drives = split.drives;
         arm.masses = rows->has_masses ? split.masses : NULL;
         arm.motions = split.any_motion ? split.motions : NULL;
+        arm.names = split.any_name ? split.names : NULL;
         fine = arm_model_make(model, &arm, angle_unit);
     }
     split_free(&split);

@@ -29,7 +29,8 @@ bool arm_rows_make(const arm_rows *rows, const armtol_arm *heading, angle_unit a
  * one row. Those of the first row go into a fixed link before it, left out where all are 0; a fixed row at the end whose
  * theta and d are 0, whose kind is npr and which has no mass, is only there for alpha, a and beta of the last link, and goes. So every
  * parameter is the same length or angle in both tables, and errors belong to the links of ours. A center of
- * mass is in the frame of its row, and is turned into that of the link.
+ * mass is in the frame of its row, and is turned into that of the link. The name of a row goes with its joint, and is lost with
+ * a row that goes.
  */
 
 /* arm_rows_make for such a table. What a row follows is counted in its rows. */

@@ -7,7 +7,7 @@
 #include <strings.h>
 
 static const char *const names[ARM_COLUMNS] = {
-    [COLUMN_KIND] = "kind",   [COLUMN_JOINT] = "joint",           [COLUMN_A] = "a",
+    [COLUMN_NAME] = "name",   [COLUMN_KIND] = "kind",   [COLUMN_JOINT] = "joint",           [COLUMN_A] = "a",
     [COLUMN_ALPHA] = "alpha", [COLUMN_D] = "d",                   [COLUMN_THETA] = "theta",
     [COLUMN_BETA] = "beta",   [COLUMN_SIGN] = "sign",             [COLUMN_COUPLE] = "couple",
     [COLUMN_MULTIPLIER] = "multiplier", [COLUMN_OFFSET] = "offset",     [COLUMN_LOW] = "low",               [COLUMN_HIGH] = "high",
@@ -24,7 +24,7 @@ const char *arm_column_name(arm_column column)
 
 bool arm_column_is_optional(arm_column column)
 {
-    return column == COLUMN_KIND || column >= COLUMN_BETA;
+    return column <= COLUMN_KIND || column >= COLUMN_BETA;
 }
 
 bool arm_column_is_motion(arm_column column)
@@ -99,6 +99,9 @@ arm_entry arm_entry_of(const armtol_arm *arm, size_t link)
     if (arm->motions != NULL) {
         entry.motion = arm->motions[link];
     }
+    if (arm->names != NULL) {
+        entry.name = arm->names[link];
+    }
     return entry;
 }
 
@@ -160,10 +163,10 @@ static void unknown_column(const cell_row *row, size_t index)
         cells_message(row, index, "%s is of the link before, as in Craig's order; expected a line \"order: craig\" above "
                                   "the table", text);
     } else if (index == 0) {
-        cells_message(row, 0, "%s is neither a key (name, title, source, units, order) nor a column (kind, joint, a, alpha, "
-                              "d, theta, ...)", text);
+        cells_message(row, 0, "%s is neither a key (name, title, source, units, order) nor a column (name, kind, joint, a, "
+                              "alpha, d, theta, ...)", text);
     } else {
-        cells_message(row, index, "unknown column %s; expected kind, joint, a, alpha, d, theta, beta, sign, couple, "
+        cells_message(row, index, "unknown column %s; expected name, kind, joint, a, alpha, d, theta, beta, sign, couple, "
                                   "multiplier, offset, low, high, backlash, compliance or stiffness, moment, resolution or "
                                   "bits, friction, mass, com_x, com_y or com_z", text);
     }

@@ -9,6 +9,7 @@
 
 /* The columns of an arm's table, in the order in which it is written; docs/arm-files.md. */
 typedef enum arm_column {
+    COLUMN_NAME,
     COLUMN_KIND,
     COLUMN_JOINT,
     COLUMN_A,
@@ -56,9 +57,10 @@ typedef struct arm_entry {
     armtol_mass mass;
     armtol_motion motion; /* follows: a row, this one or another */
     double stiffness, bits;
+    const char *name; /* NULL where it has none */
 } arm_entry;
 
-/* The number that the column is about; not of kind, joint and couple. */
+/* The number that the column is about; not of name, kind, joint and couple. */
 double *arm_column_number(arm_column column, arm_entry *entry);
 
 /* The entry of an arm's link. */

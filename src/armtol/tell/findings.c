@@ -1,5 +1,7 @@
 #include "armtol/tell/findings.h"
 
+#include "armtol/names/link_name.h"
+
 #include <math.h>
 
 parameter_row findings_parameter(const findings *findings, size_t column)
@@ -11,6 +13,7 @@ parameter_row findings_parameter(const findings *findings, size_t column)
     const bool is_length = armtol_parameter_is_length(at->parameter);
     return (parameter_row){
         .link = at->link,
+        .name = link_name(findings->request->question.arm, at->link),
         .kind = armtol_kind_name(link.kind),
         .parameter = armtol_parameter_name(at->parameter),
         .role = armtol_role_name(armtol_role_of(&link, at->parameter)),

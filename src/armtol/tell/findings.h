@@ -19,6 +19,7 @@ typedef struct findings {
 /* One parameter of one link, in the user's units. */
 typedef struct parameter_row {
     size_t link;
+    const char *name; /* the link's; NULL where it has none */
     const char *kind, *parameter;
     const char *role; /* "motor" or "machining" */
     const char *unit;

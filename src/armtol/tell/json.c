@@ -103,6 +103,13 @@ void json_text(json *json, const char *name, const char *text)
     put_string(json, text);
 }
 
+void json_text_if(json *json, const char *name, const char *text)
+{
+    if (text != NULL) {
+        json_text(json, name, text);
+    }
+}
+
 void json_number(json *json, const char *name, double value)
 {
     begin_value(json, name);

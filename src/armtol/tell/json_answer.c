@@ -1,7 +1,9 @@
 #include "armtol/tell/output.h"
 
 #include "armtol/armtol.h"
+#include "armtol/names/link_name.h"
 #include "armtol/tell/json.h"
+#include "armtol/tell/json_arms.h"
 #include "armtol/tell/laying.h"
 
 #include <math.h>
@@ -27,6 +29,7 @@ static void write_arm(json *json, const findings *findings)
     json_text(json, "source", arm->source);
     json_count(json, "links", arm->n_links);
     json_count(json, "joints", findings->answer->n_joints);
+    json_joint_names(json, arm);
     json_close_object(json);
     json_open_object(json, "units");
     json_text(json, "length", units_name(units, true));
@@ -110,6 +113,7 @@ static void write_parameters(json *json, const findings *findings)
         const parameter_row row = findings_parameter(findings, k);
         json_open_object(json, NULL);
         json_count(json, "link", row.link);
+        json_text_if(json, "name", row.name);
         json_text(json, "kind", row.kind);
         json_text(json, "parameter", row.parameter);
         json_text(json, "role", row.role);
@@ -133,6 +137,7 @@ static void write_parts(json *json, const findings *findings)
         const bool slides = answer->links[i].joint == ARMTOL_PRISMATIC;
         json_open_object(json, NULL);
         json_count(json, "link", i);
+        json_text_if(json, "name", link_name(findings->request->question.arm, i));
         json_known(json, "distance", units_shown(units, true, part->distance));
         json_known(json, "angle", units_shown(units, false, part->angle));
         json_known(json, "motor", units_shown(units, slides, part->motor));
@@ -178,6 +183,7 @@ static void write_load(json *json, const findings *findings, size_t place)
         if (armtol_joint_moves(joint, at->parameter)) {
             json_open_object(json, NULL);
             json_count(json, "link", at->link);
+            json_text_if(json, "name", link_name(findings->request->question.arm, at->link));
             json_number(json, "moment", answer->moments[place * answer->n_links + at->link]);
             json_number(json, "shift", units_shown(&findings->request->units, joint == ARMTOL_PRISMATIC,
                                                    armtol_answer_shifts(answer, place)[k]));
@@ -211,13 +217,14 @@ static void write_loads(json *json, const findings *findings)
     json_close_array(json);
 }
 
-static void write_budget(json *json, const armtol_budget *budget)
+static void write_budget(json *json, const armtol_arm *arm, const armtol_budget *budget)
 {
     json_open_array(json, "budget");
     for (size_t i = 0; i < budget->n_rows; i++) {
         const armtol_budget_row *row = &budget->rows[i];
         json_open_object(json, NULL);
         json_count(json, "link", row->link);
+        json_text_if(json, "name", link_name(arm, row->link));
         json_text(json, "role", armtol_role_name(row->role));
         json_numbers(json, "shares", row->shares, 6);
         json_close_object(json);
@@ -287,7 +294,7 @@ bool output_json(const findings *findings)
         write_loads(&json, findings);
     }
     if (findings->budget != NULL) {
-        write_budget(&json, findings->budget);
+        write_budget(&json, findings->request->question.arm, findings->budget);
     }
     if (findings->verification != NULL) {
         write_verification(&json, findings);

@@ -1,8 +1,9 @@
 #include "armtol/tell/json_arms.h"
 
 #include "armtol/armtol.h"
+#include "armtol/names/link_name.h"
 #include "armtol/tables/arm_table.h"
-#include "armtol/tell/json.h"
+#include "armtol/tell/laying.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -14,6 +15,20 @@ static void write_texts(json *json, const armtol_arm *arm)
     json_text(json, "name", arm->name);
     json_text(json, "title", arm->title);
     json_text(json, "source", arm->source);
+}
+
+void json_joint_names(json *json, const armtol_arm *arm)
+{
+    if (!links_have_names(arm)) {
+        return;
+    }
+    json_open_array(json, "joint_names");
+    for (size_t i = 0; i < arm->n_links; i++) {
+        if (armtol_arm_is_driven(arm, i)) {
+            json_text(json, NULL, link_name(arm, i) != NULL ? link_name(arm, i) : "");
+        }
+    }
+    json_close_array(json);
 }
 
 void json_list(void)
@@ -28,6 +43,7 @@ void json_list(void)
         write_texts(&json, arm);
         json_count(&json, "links", arm->n_links);
         json_count(&json, "joints", armtol_arm_joint_count(arm));
+        json_joint_names(&json, arm);
         json_text(&json, "length", armtol_length_unit_name(arm->unit));
         json_close_object(&json);
     }
@@ -71,6 +87,7 @@ static void write_link(json *json, const armtol_arm *arm, const units *units, si
 {
     arm_entry entry = arm_entry_of(arm, i);
     json_open_object(json, NULL);
+    json_text_if(json, "name", entry.name);
     json_text(json, "kind", armtol_kind_name(entry.link.kind));
     json_text(json, "joint", arm_joint_name(entry.link.joint));
     for (arm_column column = COLUMN_A; column < ARM_COLUMNS; column++) {
@@ -89,8 +106,9 @@ static void write_link(json *json, const armtol_arm *arm, const units *units, si
     json_close_object(json);
 }
 
-void json_show(const armtol_arm *arm, const units *units)
+void json_show(const arm_model *model, const units *units, const struct units *laid)
 {
+    const armtol_arm *arm = &model->arm;
     json json;
     json_start(&json, stdout);
     json_text(&json, "armtol", armtol_version());
@@ -101,6 +119,7 @@ void json_show(const armtol_arm *arm, const units *units)
     json_text(&json, "length", units_name(units, true));
     json_text(&json, "angle", units_name(units, false));
     json_close_object(&json);
+    laying_write(&json, &model->laying, laid);
     json_open_array(&json, "links");
     for (size_t i = 0; i < arm->n_links; i++) {
         write_link(&json, arm, units, i);

@@ -3,9 +3,16 @@
 
 #include "armtol/arm.h"
 #include "armtol/ask/units.h"
+#include "armtol/tell/json.h"
 
-/* --list --json and --show --json, on standard output. The arm is in the units' length, its angles in radians. */
+/*
+ * --list --json and --show --json, on standard output. The arm is in the units' length, its angles in radians; the lengths
+ * of how it was laid are in those of `laid`.
+ */
 void json_list(void);
-void json_show(const armtol_arm *arm, const units *units);
+void json_show(const arm_model *model, const units *units, const struct units *laid);
+
+/* A member joint_names, where any has one: of the joints that have a value, in order; "" for one without. */
+void json_joint_names(json *json, const armtol_arm *arm);
 
 #endif

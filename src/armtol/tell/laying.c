@@ -1,37 +1,67 @@
 #include "armtol/tell/laying.h"
 
+#include "armtol/tell/wrap.h"
+
 #include <stdio.h>
 
+/* Room for a line about it. */
+typedef struct line {
+    char text[400];
+} line;
+
 /* "axes 2 and 3", "the base's z and axis 1", "the tool's z and axis 6"; joints are counted from 1. */
-static void print_axes(size_t axis, size_t n_axes)
+static const char *axes_text(size_t axis, size_t n_axes, char *room, size_t size)
 {
     if (axis == 0) {
-        printf("the base's z axis and axis 1");
-    } else if (axis == n_axes) {
-        printf("axis %zu and the tool's z axis", n_axes);
-    } else {
-        printf("axes %zu and %zu", axis, axis + 1);
+        return "the base's z axis and axis 1";
     }
+    if (axis == n_axes) {
+        snprintf(room, size, "axis %zu and the tool's z axis", n_axes);
+    } else {
+        snprintf(room, size, "axes %zu and %zu", axis, axis + 1);
+    }
+    return room;
 }
 
-static void print_snapped(const armtol_snapped *snapped, size_t n_axes, const units *units)
+static void say_farthest(const arm_laying *laying, const units *units, line *said)
 {
-    print_axes(snapped->axis, n_axes);
-    printf(" %s (but for %.3g %s and %.3g %s)", armtol_relation_text(snapped->relation),
-           units_shown(units, false, snapped->angle), units_name(units, false),
-           units_shown(units, true, snapped->distance), units_name(units, true));
+    snprintf(said->text, sizeof said->text,
+             "Laid anew: frames of the table lie up to %.6g %s off the arm (--as-is keeps them).",
+             units_shown(units, true, laying->farthest), units_name(units, true));
+}
+
+static void say_snapped(const armtol_snapped *snapped, size_t n_axes, const units *units, line *said)
+{
+    char axes[80];
+    snprintf(said->text, sizeof said->text, "Taken for exact (--snap): %s %s (but for %.3g %s and %.3g %s).",
+             axes_text(snapped->axis, n_axes, axes, sizeof axes), armtol_relation_text(snapped->relation),
+             units_shown(units, false, snapped->angle), units_name(units, false),
+             units_shown(units, true, snapped->distance), units_name(units, true));
+}
+
+/* A comment of a table stays on its line. */
+static void put_line(const line *said, const char *before)
+{
+    wrap wrap;
+    if (*before != '\0') {
+        printf("%s%s\n", before, said->text);
+        return;
+    }
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "%s", said->text);
+    wrap_end(&wrap);
 }
 
 void laying_print(const arm_laying *laying, const units *units, const char *before)
 {
+    line said = {""};
     if (laying->farthest > 0) {
-        printf("%sLaid anew: frames of the table lie up to %.6g %s off the arm (--as-is keeps them).\n", before,
-               units_shown(units, true, laying->farthest), units_name(units, true));
+        say_farthest(laying, units, &said);
+        put_line(&said, before);
     }
     for (size_t i = 0; i < laying->n_snapped; i++) {
-        printf("%sTaken for exact (--snap): ", before);
-        print_snapped(&laying->snapped[i], laying->n_axes, units);
-        printf(".\n");
+        say_snapped(&laying->snapped[i], laying->n_axes, units, &said);
+        put_line(&said, before);
     }
 }
 

@@ -1,6 +1,7 @@
 #include "armtol/tell/output.h"
 
 #include "armtol/euler.h"
+#include "armtol/names/link_name.h"
 #include "armtol/tell/laying.h"
 #include "armtol/tell/text_tables.h"
 #include "armtol/tell/wrap.h"
@@ -95,9 +96,10 @@ static void print_followers(const findings *findings)
             const size_t leader = arm->motions[i].follows;
             wrap wrap;
             wrap_start(&wrap, stdout, 0, 0);
-            wrap_say(&wrap, "Link %zu follows link %zu, and each may be off by itself. What their motor is off by is in "
+            link_text room, of_leader;
+            wrap_say(&wrap, "Link %s follows link %s, and each may be off by itself. What their motor is off by is in "
                             "link %zu %.6g times.",
-                     i, leader, i, arm->motions[i].multiplier);
+                     link_cell(arm, i, &room), link_cell(arm, leader, &of_leader), i, arm->motions[i].multiplier);
             wrap_end(&wrap);
         }
     }
@@ -166,7 +168,8 @@ static void print_unbounded(const findings *findings)
     for (size_t k = 0; k < answer->n_columns; k++) {
         if (isinf(answer->tolerances[k])) {
             const parameter_row row = findings_parameter(findings, k);
-            wrap_say(&wrap, "%s of link %zu%s", row.parameter, row.link, --left > 0 ? "," : "");
+            wrap_say(&wrap, "%s of %s%s", row.parameter,
+                     link_words(findings->request->question.arm, row.link, &(link_text){""}), --left > 0 ? "," : "");
         }
     }
     wrap_end(&wrap);

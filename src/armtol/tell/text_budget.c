@@ -1,3 +1,4 @@
+#include "armtol/names/link_name.h"
 #include "armtol/tell/text_tables.h"
 #include "console/table.h"
 
@@ -22,7 +23,7 @@ static bool has_loads(const armtol_budget *budget)
     return any;
 }
 
-static bool print_table(const armtol_budget *budget)
+static bool print_table(const armtol_arm *arm, const armtol_budget *budget)
 {
     table table = TABLE_EMPTY;
     table_add(&table, "link");
@@ -30,7 +31,8 @@ static bool print_table(const armtol_budget *budget)
         table_add_cells(&table, "%s", armtol_component_name(i));
     }
     for (size_t r = 0; r < budget->n_rows; r++) {
-        table_add(&table, "%zu %s", budget->rows[r].link, armtol_role_name(budget->rows[r].role));
+        table_add(&table, "%s %s", link_cell(arm, budget->rows[r].link, &(link_text){""}),
+                  armtol_role_name(budget->rows[r].role));
         add_shares(&table, budget->rows[r].shares);
     }
     table_add(&table, "all motors");
@@ -83,7 +85,7 @@ static void print_bars(const armtol_budget *budget, size_t i)
 
 bool text_budget(const findings *findings)
 {
-    if (!print_table(findings->budget)) {
+    if (!print_table(findings->request->question.arm, findings->budget)) {
         return false;
     }
     printf("\nThe same as bars of link numbers, a whole component being %d long\n\n", BAR);

@@ -19,9 +19,10 @@ static void add_droop(table *table, const findings *findings, size_t place)
     for (size_t i = 0; i < 6; i++) {
         droop[i] = findings_shown(findings, i, findings->answer->droops[6 * place + i]);
     }
-    table_add(table, "%zu", place / n_loads + 1);
     if (n_loads > 1) {
-        table_add_cells(table, "%zu", place % n_loads + 1);
+        table_add(table, "%zu, load %zu", place / n_loads + 1, place % n_loads + 1);
+    } else {
+        table_add(table, "%zu", place / n_loads + 1);
     }
     add_values(table, droop);
 }
@@ -36,7 +37,7 @@ static void add_pose(table *table, const findings *findings, size_t pose)
     if (n_loads > 1) {
         double difference[6];
         findings_load_difference(findings, pose, difference);
-        table_add(table, "%zu\tdifference", pose + 1);
+        table_add(table, "%zu, difference", pose + 1);
         add_values(table, difference);
     }
 }
@@ -48,7 +49,7 @@ bool text_loads(const findings *findings)
         return true;
     }
     table table = TABLE_EMPTY;
-    table_add(&table, "pose%s", n_loads > 1 ? "\tload" : "");
+    table_add(&table, "pose");
     for (size_t i = 0; i < 6; i++) {
         table_add_cells(&table, "%s", armtol_component_name(i));
     }

@@ -1,5 +1,6 @@
 #include "armtol/tell/text_tables.h"
 
+#include "armtol/names/link_name.h"
 #include "armtol/tell/wrap.h"
 #include "console/table.h"
 
@@ -33,17 +34,18 @@ static bool any_is_set(const armtol_answer *answer)
 
 static const char *origin_of(const parameter_row *row)
 {
-    return row->given ? "given" : row->held > 0 ? "its largest" : row->held < 0 ? "its least" : "-";
+    return row->given ? "given" : row->held > 0 ? "largest" : row->held < 0 ? "least" : "-";
 }
 
 bool text_parameters(const findings *findings)
 {
     const bool shows_origin = findings->request->tolerances == NULL && any_is_set(findings->answer);
-    table table = TABLE_EMPTY;
+    table table = {.cut_first = true};
     table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit%s", shows_origin ? "\tset by" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row parameter = findings_parameter(findings, k);
-        table_add(&table, "%zu\t%s\t%s\t%s", parameter.link, parameter.kind, parameter.parameter, parameter.role);
+        table_add(&table, "%s\t%s\t%s\t%s", link_cell(findings->request->question.arm, parameter.link, &(link_text){""}),
+                  parameter.kind, parameter.parameter, parameter.role);
         add_number(&table, parameter.nominal);
         add_number(&table, parameter.tolerance);
         table_add_cells(&table, "%s\t%s", parameter.unit, origin_of(&parameter));
@@ -63,7 +65,7 @@ static void add_part(const findings *findings, size_t link, table *table)
     const armtol_part *part = &findings->answer->parts[link];
     const armtol_joint joint = findings->answer->links[link].joint;
     const bool slides = joint == ARMTOL_PRISMATIC;
-    table_add(table, "%zu", link);
+    table_add(table, "%s", link_cell(findings->request->question.arm, link, &(link_text){""}));
     add_number(table, units_shown(units, true, part->distance));
     add_number(table, units_shown(units, false, part->angle));
     add_number(table, units_shown(units, slides, part->motor));
@@ -166,7 +168,7 @@ bool text_components(const findings *findings)
     table table = TABLE_EMPTY;
     table_add(&table, "component\taccuracy\tworst case\t%g sigma%s\tremainder\tunit%s%s", request->options->sigma,
               findings->answer->loaded ? "\tload" : "",
-              request->question.n_poses > 1 ? "\tpose" : "", optimum ? "\theld down by it" : "");
+              request->question.n_poses > 1 ? "\tpose" : "", optimum ? "\tbinds" : "");
     for (size_t i = 0; i < 6; i++) {
         add_component(findings, i, &table);
     }
@@ -181,18 +183,54 @@ bool text_components(const findings *findings)
     return fine;
 }
 
-static void add_verified(const findings *findings, size_t i, table *table)
+static void add_error(const findings *findings, size_t i, table *table)
 {
-    const armtol_predicted *predicted = &findings->answer->components[i];
-    const armtol_verified *component = &findings->verification->components[i];
     table_add(table, "%s, %s", armtol_component_name(i), units_name(&findings->request->units, i < 3));
+}
+
+static void add_drawn(const findings *findings, size_t i, table *table)
+{
+    const armtol_verified *component = &findings->verification->components[i];
+    add_error(findings, i, table);
     for (int j = 0; j < ARMTOL_QUANTILES; j++) {
         add_digits(table, 4, findings_shown(findings, i, component->quantiles[j]));
     }
     add_digits(table, 4, findings_shown(findings, i, component->worst_drawn));
-    add_digits(table, 6, findings_shown(findings, i, component->worst_corner));
-    add_digits(table, 6, findings_shown(findings, i, predicted->worst));
-    add_digits(table, 2, findings_shown(findings, i, predicted->remainder));
+}
+
+static bool print_drawn(const findings *findings)
+{
+    table table = TABLE_EMPTY;
+    wrap wrap;
+    table_add(&table, "error");
+    for (int j = 0; j < ARMTOL_QUANTILES; j++) {
+        table_add_cells(&table, "%g %%", 100 * findings->verification->probabilities[j]);
+    }
+    table_add_cells(&table, "worst");
+    for (size_t i = 0; i < 6; i++) {
+        add_drawn(findings, i, &table);
+    }
+    printf("\n");
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "%llu arms drawn within the tolerances (seed %llu): errors not exceeded by",
+             (unsigned long long)findings->verification->drawn, (unsigned long long)findings->request->options->seed);
+    wrap_end(&wrap);
+    printf("\n");
+    return table_finish(&table, NULL, NULL, FORMAT_TEXT, stdout);
+}
+
+static bool print_corners(const findings *findings)
+{
+    table table = TABLE_EMPTY;
+    table_add(&table, "error\tcorner\tby A\tremainder");
+    for (size_t i = 0; i < 6; i++) {
+        const armtol_predicted *predicted = &findings->answer->components[i];
+        add_error(findings, i, &table);
+        add_digits(&table, 6, findings_shown(findings, i, findings->verification->components[i].worst_corner));
+        add_digits(&table, 6, findings_shown(findings, i, predicted->worst));
+        add_digits(&table, 2, findings_shown(findings, i, predicted->remainder));
+    }
+    return table_finish(&table, "The worst corner that was found, beside what A says of it", NULL, FORMAT_TEXT, stdout);
 }
 
 static void print_share(const findings *findings)
@@ -214,20 +252,7 @@ static void print_share(const findings *findings)
 
 bool text_verification(const findings *findings)
 {
-    char title[128];
-    table table = TABLE_EMPTY;
-    table_add(&table, "error");
-    for (int j = 0; j < ARMTOL_QUANTILES; j++) {
-        table_add_cells(&table, "%g %%", 100 * findings->verification->probabilities[j]);
-    }
-    table_add_cells(&table, "worst\tcorner\tby A\tremainder");
-    for (size_t i = 0; i < 6; i++) {
-        add_verified(findings, i, &table);
-    }
-    snprintf(title, sizeof title, "%llu arms drawn within the tolerances (seed %llu): errors not exceeded by",
-             (unsigned long long)findings->verification->drawn,
-             (unsigned long long)findings->request->options->seed);
-    const bool fine = table_finish(&table, title, NULL, FORMAT_TEXT, stdout);
+    const bool fine = print_drawn(findings) && print_corners(findings);
     if (fine) {
         print_share(findings);
     }

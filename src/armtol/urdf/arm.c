@@ -1,6 +1,7 @@
 #include "armtol/urdf/arm.h"
 
 #include "armtol/axes.h"
+#include "armtol/tables/text_lines.h"
 #include "armtol/transform.h"
 #include "armtol/urdf/chain_check.h"
 #include "armtol/urdf/follower.h"
@@ -26,6 +27,8 @@ typedef struct parts {
     armtol_mass *masses;    /* likewise */
     bool has_masses;
     armtol_motion *motions; /* of the links */
+    char **names;           /* likewise; NULL where a link has none */
+    size_t most_links;
     size_t *link_of_axis;
     size_t n_links;
     urdf_carried *carried; /* of the links of the tree */
@@ -44,12 +47,14 @@ static bool parts_start(parts *parts, size_t most_axes, size_t n_tree_links)
         .masses = calloc(most_links, sizeof *parts->masses),
         .carried = calloc(n_tree_links, sizeof *parts->carried),
         .motions = calloc(most_links, sizeof *parts->motions),
+        .names = calloc(most_links, sizeof *parts->names),
+        .most_links = most_links,
         .link_of_axis = calloc(most_axes + 1, sizeof *parts->link_of_axis),
     };
     const bool fine = parts->axes != NULL && parts->axis_drives != NULL && parts->joints != NULL &&
                       parts->links != NULL && parts->drives != NULL && parts->masses != NULL &&
                       parts->carried != NULL && parts->motions != NULL &&
-                      parts->link_of_axis != NULL;
+                      parts->names != NULL && parts->link_of_axis != NULL;
     if (!fine) {
         out_of_memory();
     }
@@ -66,6 +71,10 @@ static void parts_free(parts *parts)
     free(parts->masses);
     free(parts->carried);
     free(parts->motions);
+    for (size_t i = 0; i < parts->most_links && parts->names != NULL; i++) {
+        free(parts->names[i]);
+    }
+    free(parts->names);
     free(parts->link_of_axis);
 }
 
@@ -189,6 +198,48 @@ static void make_word(char *text)
     }
 }
 
+/* Nothing, a dash, a spreadsheet's fault, and what another link is called are no names that a table could have. */
+static bool is_usable(const parts *parts, const char *name)
+{
+    bool fine = *name != '\0' && *name != '#' && strcmp(name, "-") != 0 && strcmp(name, "\xe2\x88\x92") != 0;
+    for (size_t i = 0; i < parts->n_links; i++) {
+        fine = fine && (parts->names[i] == NULL || strcmp(parts->names[i], name) != 0);
+    }
+    return fine;
+}
+
+static bool name_link(parts *parts, size_t link, const char *name)
+{
+    char *kept;
+    if (!urdf_tree_keep(&kept, name)) {
+        return false;
+    }
+    text_make_printable(kept);
+    if (is_usable(parts, kept)) {
+        parts->names[link] = kept;
+    } else {
+        free(kept);
+    }
+    return true;
+}
+
+/* A link is called as its joint is; a fixed one at an end of the chain as the link of the URDF that is there. */
+static bool make_names(const urdf_tree *tree, const urdf_chain *chain, parts *parts)
+{
+    const size_t last = parts->n_links - 1;
+    bool fine = true;
+    for (size_t axis = 0; axis < parts->n_axes && fine; axis++) {
+        fine = name_link(parts, parts->link_of_axis[axis], tree->joints[parts->joints[axis]].name);
+    }
+    if (fine && parts->links[0].joint == ARMTOL_FIXED) {
+        fine = name_link(parts, 0, tree->links[chain->base].name);
+    }
+    if (fine && parts->links[last].joint == ARMTOL_FIXED) {
+        fine = name_link(parts, last, tree->links[chain->tip].name);
+    }
+    return fine;
+}
+
 static bool make_model(const urdf_tree *tree, const urdf_chain *chain, const parts *parts, bool any_motion,
                        arm_model *model)
 {
@@ -212,6 +263,7 @@ static bool make_model(const urdf_tree *tree, const urdf_chain *chain, const par
         .drives = parts->drives,
         .masses = parts->has_masses ? parts->masses : NULL,
         .motions = any_motion ? parts->motions : NULL,
+        .names = (const char *const *)parts->names,
     };
     return arm_model_make(model, &arm, UNIT_RADIAN);
 }
@@ -235,7 +287,7 @@ bool urdf_arm_make(const urdf_tree *tree, const urdf_chain *chain, arm_model *mo
         add_joint(&parts, tree, chain->joints[i], i < chain->n_up);
     }
     fine = fine && make_links(tree, chain, &parts) && make_motions(tree, &parts, &any_motion) &&
-           make_masses(tree, chain, &parts) &&
+           make_masses(tree, chain, &parts) && make_names(tree, chain, &parts) &&
            make_model(tree, chain, &parts, any_motion, model);
     parts_free(&parts);
     if (fine) {

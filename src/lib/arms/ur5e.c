@@ -15,6 +15,10 @@ static const armtol_drive drives[] = {
     TURN_EITHER_WAY, TURN_EITHER_WAY, TURN_EITHER_WAY, TURN_EITHER_WAY, TURN_EITHER_WAY, TURN_EITHER_WAY,
 };
 
+static const char *const names[] = {
+    "shoulder_pan_joint", "shoulder_lift_joint", "elbow_joint", "wrist_1_joint", "wrist_2_joint", "wrist_3_joint",
+};
+
 const armtol_arm arm_ur5e = {
     .name = "ur5e",
     .title = "Universal Robots UR5e",
@@ -24,4 +28,5 @@ const armtol_arm arm_ur5e = {
     .n_links = sizeof links / sizeof links[0],
     .links = links,
     .drives = drives,
+    .names = names,
 };

@@ -211,7 +211,6 @@ static void count_held(const drawn *drawn, const armtol_answer *answer, tally *t
 static void compare_answers(const drawn *drawn, const armtol_answer *answer, unsigned long arm, tally *tally)
 {
     static problem problem;
-    double expected[MOST_COLUMNS], t[MOST_COLUMNS];
     size_t free[MOST_COLUMNS];
     tell(drawn, answer, &problem, free);
     for (size_t k = 0; k < answer->n_columns; k++) {
@@ -219,6 +218,7 @@ static void compare_answers(const drawn *drawn, const armtol_answer *answer, uns
         TEST_ASSERT_TRUE(isinf(found) || (found >= drawn->least[k] && found <= drawn->largest[k] * (1 + 1e-12)));
     }
     if (problem.n_columns > 0 && problem.n_rows > 0) {
+        double expected[MOST_COLUMNS] = {0}, t[MOST_COLUMNS] = {0};
         for (size_t j = 0; j < problem.n_columns; j++) {
             t[j] = answer->tolerances[free[j]];
         }
