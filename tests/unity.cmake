@@ -5,13 +5,15 @@
 #   3. the upstream repository, at one pinned commit;
 #   4. Debian's source package cjson, which carries Unity in tests/unity.
 #
-# What is fetched stays in the build tree, and is fetched once. Nothing asks a question, needs root or changes the system.
+# What is fetched stays in the build tree, and is fetched once. Nothing asks a question, needs root or changes the
+# system.
 
 set(ARMTOL_UNITY_SOURCE "" CACHE PATH "Folder with unity.c, unity.h and unity_internals.h")
 set(ARMTOL_UNITY_REPOSITORY "https://github.com/ThrowTheSwitch/Unity" CACHE STRING "Where Unity is fetched from")
 set(unity_commit cbcd08fa7de711053a3deec6339ee89cad5d2697) # v2.6.1: a tag can be moved
 
-# Not ours to mend: its headers are the system's, and neither warnings nor analysers are asked. Doubles are off by default.
+# Not ours to mend: its headers are the system's, and neither warnings nor analysers are asked. Doubles are off by
+# default.
 function(unity_library folder)
   add_library(armtol_unity STATIC ${folder}/unity.c)
   add_library(unity::framework ALIAS armtol_unity)
@@ -53,10 +55,11 @@ function(unity_from_upstream source_var why_var)
   set(${why_var} "${why}" PARENT_SCOPE)
 endfunction()
 
-# An apt of our own, which needs no root: its lists and its cache are in the build tree, and its sources are the system's with
-# deb-src in the place of deb. Hooks are left out, since some clean the system's cache.
+# An apt of our own, which needs no root: its lists and its cache are in the build tree, and its sources are the
+# system's with deb-src in the place of deb. Hooks are left out, since some clean the system's cache.
 function(unity_write_apt)
-  file(MAKE_DIRECTORY ${unity_folder}/state/lists/partial ${unity_folder}/cache/archives/partial ${unity_folder}/sources)
+  file(MAKE_DIRECTORY ${unity_folder}/state/lists/partial ${unity_folder}/cache/archives/partial
+    ${unity_folder}/sources)
   file(WRITE ${unity_folder}/apt.conf
     "Dir::State \"${unity_folder}/state\"; Dir::Cache \"${unity_folder}/cache\";\n"
     "Dir::Etc::SourceList \"/dev/null\"; Dir::Etc::SourceParts \"${unity_folder}/sources\";\n"
@@ -72,7 +75,8 @@ function(unity_write_apt)
   endforeach()
 endfunction()
 
-# An update that fails in part may have brought what is needed: the download decides, and the update has the better reason.
+# An update that fails in part may have brought what is needed: the download decides, and the update has the better
+# reason.
 function(unity_from_debian source_var why_var)
   find_program(ARMTOL_APT_GET apt-get NO_CMAKE_SYSTEM_PATH)
   mark_as_advanced(ARMTOL_APT_GET)

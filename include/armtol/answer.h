@@ -50,8 +50,8 @@ typedef struct armtol_answer {
 
     double *tolerances; /* n_columns; infinity for a parameter that no bounded component sees; of a motor whose drive is
                            known the largest of all poses and loads */
-    double *bounded;    /* n_poses x n_columns: the same, pose by pose, with 0 for infinity: what is not bounded counts as
-                           exact */
+    double *bounded;    /* n_poses x n_columns: the same, pose by pose, with 0 for infinity: what is not bounded counts
+                           as exact */
     double *shifts;     /* n_poses x n_columns: what the drives shift the parameters by, 0 but for motors */
     double *moments;    /* n_poses x n_links: N m about the joints, N along those that slide */
     double *droops;     /* n_poses x 6: where that takes the tool, by the exact kinematics (tool_error.h) */
@@ -76,25 +76,26 @@ typedef struct armtol_answer {
  *    *fault     what the status is about; may be NULL. After ARMTOL_OK about nothing
  *
  * Notes:
- * 1) Parts. By method sphere, tolerances asked for, they are as the report has them: the distance of Eq. (4.32) for a and d
- *    both off by the share, whether the link counts them or not, and that distance for the motor of a prismatic joint,
- *    both the least of all poses. Else a parameter that the link does not count is exact, and the motor has the tolerance
- *    of the parameter it moves; parallel axes (ppr, ppp) are |a| apart, so that theirs is the tolerance of a; a prismatic
- *    joint has no distance.
+ * 1) Parts. By method sphere, tolerances asked for, they are as the report has them: the distance of Eq. (4.32) for a
+ *    and d both off by the share, whether the link counts them or not, and that distance for the motor of a prismatic
+ *    joint, both the least of all poses. Else a parameter that the link does not count is exact, and the motor has the
+ *    tolerance of the parameter it moves; parallel axes (ppr, ppp) are |a| apart, so that theirs is the tolerance of a;
+ *    a prismatic joint has no distance.
  * 2) Delta that is to be chosen is armtol_sphere_delta's, its lever the length of the arm when it is stretched: the sum
  *    of sqrt(a^2 + d^2), the largest of all poses, and the tool's offset; 1 for an arm without any length.
- * 3) With drives. A drive that the arm names (armtol_drive_is_known) gives its motor: in every pose and load the moment of
- *    its joint (armtol_moments; where the arm has no masses, what is held and the force, and the drive's own `moment` to
- *    either side of that) and Eq. (4.20) (armtol_drive_offset_under) make a shift and a half width of it. The half width is
- *    the motor's tolerance there; one that the question gives counts instead where it is larger. The optimum is that of
+ * 3) With drives. A drive that the arm names (armtol_drive_is_known) gives its motor: in every pose and load the moment
+ *    of its joint (armtol_moments; where the arm has no masses, what is held and the force, and the drive's own
+ *    `moment` to either side of that) and Eq. (4.20) (armtol_drive_offset_under) make a shift and a half width of it.
+ *    The half width is the motor's tolerance there; one that the question gives counts instead where it is larger. The
+ *    optimum is that of
  *        |A| t <= e - |A s| - |A| t_given   in every component, pose and load, least <= t <= largest,
  *    or with ARMTOL_METHOD_RSS of sigma sqrt(sum (A t)^2 / 3) <= e - |A s|. It is exact to first order, s included: the
  *    remainder is that of a box about the arm as meant which holds all that drives and tolerances can do together, of
  *    half widths |s| + t.
- * 4) By method sphere what is given takes its part from the accuracy in the same way, the most of all poses and loads; the
- *    bounds are those of the other columns, of which none may have a range.
- * 5) Where nothing is left for what is asked the status is ARMTOL_NOTHING_LEFT. The same question with given tolerances,
- *    0 for those, tells the sources apart (armtol_budget_create).
+ * 4) By method sphere what is given takes its part from the accuracy in the same way, the most of all poses and loads;
+ *    the bounds are those of the other columns, of which none may have a range.
+ * 5) Where nothing is left for what is asked the status is ARMTOL_NOTHING_LEFT. The same question with given
+ *    tolerances, 0 for those, tells the sources apart (armtol_budget_create).
  * 6) The same question has the same answer to the bit on every machine with IEEE arithmetic.
  * 7) Questions may be answered on several threads at once. Memory comes from calloc; no other state is kept.
  *
@@ -107,10 +108,10 @@ typedef struct armtol_answer {
  *    ARMTOL_NOT_FINITE      about a pose: a joint value that is not, or A overflows (an offset that is not finite too)
  *    ARMTOL_BAD_TOLERANCE   about the accuracy: a component that is not > 0; about tolerances: one that is not >= 0
  *    ARMTOL_BAD_WEIGHT      about the weights: one that is not > 0 and finite
- *    ARMTOL_BAD_RANGE       about the ranges: not 0 <= least <= largest, the least finite; about the method: a range that
- *                           is not one value, by method sphere; a least that is not 0 where tolerances are given
- *    ARMTOL_BAD_LOAD        about the loading: a mass < 0, a share that is not 0 to 1; about the drives: a number < 0, or
- *                           compliance where neither masses nor loads nor `moment` say what it bears
+ *    ARMTOL_BAD_RANGE       about the ranges: not 0 <= least <= largest, the least finite; about the method: a range
+ *                           that is not one value, by method sphere; a least that is not 0 where tolerances are given
+ *    ARMTOL_BAD_LOAD        about the loading: a mass < 0, a share that is not 0 to 1; about the drives: a number < 0,
+ *                           or compliance where neither masses nor loads nor `moment` say what it bears
  *    ARMTOL_NOTHING_LEFT    about a row
  *    ARMTOL_BAD_DELTA, ARMTOL_NOT_FINITE, ARMTOL_NOT_SOLVED  about the method: no tolerances (optimum.h, sphere.h)
  *

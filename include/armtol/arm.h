@@ -55,16 +55,17 @@ typedef struct armtol_drive_offset {
  * Where a drive holds its joint under a moment that is known to `doubt` to either side (both >= 0 but the moment).
  *
  * Notes:
- * 1) Compliance gives way to the moment: compliance moment, less the share `compensated` of it, is a shift, and compliance
- *    doubt goes to either side.
- * 2) The whole play counts, as in the equation: nothing says at which of its ends the joint was when its zero was set. It
- *    lies on the side of the moment. Where the moment may be 0, or less than the friction, it may lie on either side.
- *    A backlash that is not known counts as 0.
+ * 1) Compliance gives way to the moment: compliance moment, less the share `compensated` of it, is a shift, and
+ *    compliance doubt goes to either side.
+ * 2) The whole play counts, as in the equation: nothing says at which of its ends the joint was when its zero was set.
+ *    It lies on the side of the moment. Where the moment may be 0, or less than the friction, it may lie on either
+ *    side. A backlash that is not known counts as 0.
  * 3) The encoder adds half a step to either side.
  *
  * Source: Hahn 1987, Eq. (4.20); note 3 is the term for sensors that stands below it.
  */
-armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt, double compensated);
+armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt,
+                                              double compensated);
 
 /*
  * How the joint of a link moves when it is not simply moved by a motor of its own. The value of the joint is

@@ -3,7 +3,9 @@
 
 /* Everything, in groups. The equations are those of Hahn 1987. */
 
-/* What all the others mean: frames, units, storage; what can go wrong; where the programs are not what the report says. */
+/*
+ * What all the others mean: frames, units, storage; what can go wrong; where the programs are not what the report says.
+ */
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
 #include "armtol/interface.h"

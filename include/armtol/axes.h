@@ -35,7 +35,7 @@ typedef enum armtol_relation {
 
 /* Something that is so only nearly, and was taken for exact. */
 typedef struct armtol_snapped {
-    size_t axis; /* from 0, with the one before it; 0: with the base's z axis; n_axes: the tool's z axis with the last */
+    size_t axis; /* from 0, with the one before it; 0: with the base's z axis; n_axes: the tool's with the last */
     armtol_relation relation;
     double angle;    /* by which it is off, and */
     double distance; /* likewise */

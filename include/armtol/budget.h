@@ -26,7 +26,7 @@ armtol_role armtol_role_of(const armtol_link *link, armtol_parameter parameter);
 typedef struct armtol_budget_row {
     size_t link;
     armtol_role role;
-    double shares[6]; /* of the component's predicted error, 0 to 1; of a load that lessens the error of others, below 0 */
+    double shares[6]; /* of the component's predicted error, 0 to 1; below 0 for a load that lessens that of others */
 } armtol_budget_row;
 
 typedef struct armtol_budget {
@@ -46,10 +46,10 @@ typedef struct armtol_budget {
  *    *budget    the shares, to be freed with armtol_budget_destroy; NULL after an error
  *
  * Notes:
- * 1) The shares are those of the worst case, |A s| + |A| t. With method rss they are those of |A s| + sigma deviation, the
- *    second term shared out by the squares (A t)^2.
- * 2) Each component in the pose whose error is printed: where its worst case is largest (worst_pose) or, with method rss,
- *    its deviation (deviation_pose).
+ * 1) The shares are those of the worst case, |A s| + |A| t. With method rss they are those of |A s| + sigma deviation,
+ *    the second term shared out by the squares (A t)^2.
+ * 2) Each component in the pose whose error is printed: where its worst case is largest (worst_pose) or, with method
+ *    rss, its deviation (deviation_pose).
  * 3) All shares are 0 for a component that nothing moves, and nan for one that nothing bounds.
  *
  * Errors:

@@ -43,20 +43,20 @@ void armtol_remainder(const double matrix[], size_t n_columns, const double tole
                       double remainder[6]);
 
 /*
- * What rounding can make of the six components: how far A's prediction, of a matrix that armtol_tool_matrix_clear may have
- * seen, and the exact error as armtol_tool_error and armtol_sampler_draw compute it, can together be from what they would
- * be without rounding, anywhere in the box. A bound, proved in rounding.c; the truth is some hundred times less. links are
- * placed and fine; tolerances are finite, one a column; joint values and angles below 1e6 rad.
+ * What rounding can make of the six components: how far A's prediction, of a matrix that armtol_tool_matrix_clear may
+ * have seen, and the exact error as armtol_tool_error and armtol_sampler_draw compute it, can together be from what
+ * they would be without rounding, anywhere in the box. A bound, proved in rounding.c; the truth is some hundred times
+ * less. links are placed and fine; tolerances are finite, one a column; joint values and angles below 1e6 rad.
  */
-void armtol_rounding(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, const double tolerances[],
-                     double rounding[6]);
+void armtol_rounding(const armtol_link links[], size_t n_links, const armtol_tool_point *tool,
+                     const double tolerances[], double rounding[6]);
 
 /* How large an error of the tool is: one number >= 0 of the six of armtol_tool_error. */
 typedef double (*armtol_error_size)(const double error[6], const void *context);
 
 /*
- * Climb from errors within the box to a corner from where no change of one of them alone makes the exact error of the tool
- * larger.
+ * Climb from errors within the box to a corner from where no change of one of them alone makes the exact error of the
+ * tool larger.
  *
  * Given:
  *    links, n_links, tool      the arm, placed, and its tool point
@@ -72,8 +72,8 @@ typedef double (*armtol_error_size)(const double error[6], const void *context);
  * n_columns is not armtol_column_count.
  *
  * Notes:
- * 1) Errors are tried one after the other, - before +, round after round, until a round gains nothing. A gain below 1e-9 of
- *    the size does not count: it may be rounding, and not end. After 100 rounds it is left at that.
+ * 1) Errors are tried one after the other, - before +, round after round, until a round gains nothing. A gain below
+ *    1e-9 of the size does not count: it may be rounding, and not end. After 100 rounds it is left at that.
  * 2) A round takes a time that is in proportion to the number of links.
  * 3) It is a local search: it finds no less than it began with, and need not find the largest of all corners.
  */

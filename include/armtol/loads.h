@@ -11,7 +11,8 @@ ARMTOL_INTERFACE_BEGIN
 
 /*
  * A mass in kg and where its center is, in the arm's unit of length. Of a link: in the frame at the end of the link's
- * transform, Eq. (4.2), which moves with it. Of what the tool holds: from the tool point, along the axes of the last frame.
+ * transform, Eq. (4.2), which moves with it. Of what the tool holds: from the tool point, along the axes of the last
+ * frame.
  */
 typedef struct armtol_mass {
     double mass;
@@ -42,13 +43,13 @@ extern const armtol_loading armtol_loading_standard;
  *
  * Returned:
  *    moments          n_links: the moment of a revolute joint in N times the links' unit of length, the force along a
- *                     prismatic one in N, 0 of a fixed link. What is no more than 1e-12 of what could be, were every lever
- *                     at a right angle, is what rounding leaves of 0, and is 0.
+ *                     prismatic one in N, 0 of a fixed link. What is no more than 1e-12 of what could be, were every
+ *                     lever at a right angle, is what rounding leaves of 0, and is 0.
  *
- * Errors: those of armtol_links_check; ARMTOL_BAD_LOAD for a mass that is negative; ARMTOL_NOT_FINITE, also for a moment
- * that overflows.
- * Source: Hahn 1987, section 4.2: l x m of Eq. (4.20), the mass of links i to n and of what is held; its component along
- * the joint's axis z is z . sum (p_j - o) x m_j g + z . (p - o) x f, and of a slide z . (sum m_j g + f).
+ * Errors: those of armtol_links_check; ARMTOL_BAD_LOAD for a mass that is negative; ARMTOL_NOT_FINITE, also for a
+ * moment that overflows.
+ * Source: Hahn 1987, section 4.2: l x m of Eq. (4.20), the mass of links i to n and of what is held; its component
+ * along the joint's axis z is z . sum (p_j - o) x m_j g + z . (p - o) x f, and of a slide z . (sum m_j g + f).
  */
 armtol_status armtol_moments(const armtol_link links[], size_t n_links, const armtol_mass masses[],
                              const armtol_tool_point *tool, const armtol_mass *payload, const armtol_loading *loading,

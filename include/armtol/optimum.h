@@ -30,8 +30,8 @@ size_t armtol_optimum_workspace(size_t n_rows, size_t n_columns);
  * its row is free. There is one optimum, and no unit of measurement moves it.
  *
  * A column that is 0 in every row that is not free gets an infinite tolerance; what rounding leaves of a 0 is
- * to be cleared before (armtol_tool_matrix_clear). All other tolerances keep to every limit to the last bit, in whatever order the products of a row are summed,
- * infinite tolerances left out.
+ * to be cleared before (armtol_tool_matrix_clear). All other tolerances keep to every limit to the last bit, in
+ * whatever order the products of a row are summed, infinite tolerances left out.
  *
  * multipliers has n_rows places: the share of the whole weight that each row's limit holds down, >= 0, 0 for
  * rows that do not bind; their sum is 1 where any column is bounded. With W the weights of the bounded

@@ -55,10 +55,10 @@ armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[
 
 /*
  * Joint k of pose p is q[p * n_joints + k]; blocks has ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK * 6 * n_columns
- * places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT: to the bit that of armtol_tool_matrix for the placed links;
- * bounds one a pose, those of armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the bounds it
- * counts for nan. The places of the last block that no pose is left for repeat the last pose. It is fastest where blocks is
- * aligned to 64 bytes.
+ * places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT: to the bit that of armtol_tool_matrix for the placed
+ * links; bounds one a pose, those of armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the
+ * bounds it counts for nan. The places of the last block that no pose is left for repeat the last pose. It is fastest
+ * where blocks is aligned to 64 bytes.
  */
 void armtol_pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                         armtol_bounds bounds[]);

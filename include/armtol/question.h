@@ -42,8 +42,8 @@ typedef struct armtol_question {
     const double *weights;    /* a column of A, each > 0 (optimum.h); NULL: 1 each */
     const double *tolerances; /* a column of A, each >= 0, infinity for what has no bound; NULL: asked for */
     const double *least;      /* a column of A, each >= 0 and finite: no tolerance is found below it; NULL: 0 each */
-    const double *largest;    /* a column of A, each >= the least: none is found above it; NULL: infinity each. Where both
-                                 are the same the tolerance is given: 0 is exact */
+    const double *largest;    /* a column of A, each >= the least: none is found above it; NULL: infinity each. Where
+                                 both are the same the tolerance is given: 0 is exact */
     const armtol_loading *loading; /* NULL: armtol_loading_standard */
     bool drives_apart; /* the drives that the arm names, and what loads them, are in no error; else they are: note 5 of
                           answer.h */

@@ -18,8 +18,8 @@ armtol_status armtol_tool_matrix(const armtol_link links[], size_t n_links, cons
 
 /*
  * Set to 0 what rounding left of a 0 in such an A: elements up to 1e-12 of what they can be in this arm, which is its
- * length when it is stretched, tool and all, for the motion of the tool point by an angle, and 1 for all others. The unit
- * of length does not matter. The links are fine (armtol_links_check), n_columns is armtol_column_count.
+ * length when it is stretched, tool and all, for the motion of the tool point by an angle, and 1 for all others. The
+ * unit of length does not matter. The links are fine (armtol_links_check), n_columns is armtol_column_count.
  */
 void armtol_tool_matrix_clear(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, double matrix[],
                               size_t n_columns);

@@ -28,9 +28,10 @@ typedef struct armtol_draw {
 enum { ARMTOL_QUANTILES = 4 };
 
 /*
- * One component of the tool's exact error, magnitudes, the largest of all poses. A quantile is what that share of the arms
- * does not exceed, rounded up by no more than 2^-10 of itself and never above worst_drawn; below 2^-63 of the predicted worst
- * case and remainder, and of what the arm reaches, which is below the rounding of an error, it is rounded up to that. All are nan for a component that depends on a parameter without a bound.
+ * One component of the tool's exact error, magnitudes, the largest of all poses. A quantile is what that share of the
+ * arms does not exceed, rounded up by no more than 2^-10 of itself and never above worst_drawn; below 2^-63 of the
+ * predicted worst case and remainder, and of what the arm reaches, which is below the rounding of an error, it is
+ * rounded up to that. All are nan for a component that depends on a parameter without a bound.
  */
 typedef struct armtol_verified {
     double quantiles[ARMTOL_QUANTILES];
@@ -49,8 +50,8 @@ typedef struct armtol_verification {
 } armtol_verification;
 
 /*
- * Hold an answer against the exact kinematics: search the corners of the box of tolerances, and draw arms with errors that
- * are uniform within them.
+ * Hold an answer against the exact kinematics: search the corners of the box of tolerances, and draw arms with errors
+ * that are uniform within them.
  *
  * Given:
  *    answer     tolerances, poses and accuracy; NULL is not allowed
@@ -63,9 +64,9 @@ typedef struct armtol_verification {
  * Notes:
  * 1) A parameter with an infinite tolerance is not drawn, and is exact for the components that do not depend on it; of
  *    those that do nothing is said, and none of them may have an accuracy to keep to.
- * 2) The result depends on answer, samples and seed alone, to the bit, and not on the number of threads, unless progress
- *    ends it early: the arms drawn until then are counted, whole blocks of them, and corners not yet searched left out.
- *    That is no error.
+ * 2) The result depends on answer, samples and seed alone, to the bit, and not on the number of threads, unless
+ *    progress ends it early: the arms drawn until then are counted, whole blocks of them, and corners not yet searched
+ *    left out. That is no error.
  * 3) Threads are POSIX threads. They are begun and ended within the call, all signals blocked: signals come to the
  *    program's own threads. Threads that cannot be had, and memory for them, are done without.
  * 4) Each thread takes 3 MB; poses take some 500 bytes a link.

@@ -80,8 +80,8 @@ armtol_status analysis_matrix_with_residue(analysis *analysis, const armtol_resi
     const size_t n_links = analysis->robot->n_links, n = analysis->n_columns;
     armtol_status status = armtol_columns(analysis->links, n_links, analysis->columns, n);
     if (status == ARMTOL_OK) {
-        status = armtol_error_matrix_with_residue(analysis->links, n_links, residue, &analysis->errata, analysis->matrix,
-                                                  n);
+        status =
+            armtol_error_matrix_with_residue(analysis->links, n_links, residue, &analysis->errata, analysis->matrix, n);
     }
     if (status == ARMTOL_OK) {
         analysis->n_lengths = armtol_column_order(analysis->columns, n, analysis->order);

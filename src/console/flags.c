@@ -18,7 +18,8 @@ static bool is_whole_name(const char *word, int option, const struct option name
     for (size_t i = 0; is_long && names[i].name != NULL; i++) {
         if (names[i].val == option) {
             const size_t length = strlen(names[i].name);
-            return strncmp(word + 2, names[i].name, length) == 0 && (word[2 + length] == '\0' || word[2 + length] == '=');
+            return strncmp(word + 2, names[i].name, length) == 0 &&
+                   (word[2 + length] == '\0' || word[2 + length] == '=');
         }
     }
     return true;

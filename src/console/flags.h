@@ -8,8 +8,8 @@
 typedef bool flag_taker(int option, const char *argument, void *context);
 
 /*
- * Give every option of a command line to the taker; names are to be written out. letters are getopt's, and begin with "+:". False after a message;
- * else optind is the first argument behind the options.
+ * Give every option of a command line to the taker; names are to be written out. letters are getopt's, and begin with
+ * "+:". False after a message; else optind is the first argument behind the options.
  */
 bool flags_read(int argc, char *argv[], const char *letters, const struct option names[], flag_taker *take,
                 void *context);

@@ -41,7 +41,8 @@ export function startAsk(drawFrames) {
     const at = rest.indexOf('--joints');
     const turn = rest.includes('--degrees') ? Math.PI / 180 : 1;
     const joints = engine.frames(arm).joints ?? [];
-    const q = at < 0 ? null : rest[at + 1]?.split(',').map((text, i) => Number(text) * (joints[i]?.kind === 'revolute' ? turn : 1));
+    const unitOf = (i) => (joints[i]?.kind === 'revolute' ? turn : 1);
+    const q = at < 0 ? null : rest[at + 1]?.split(',').map((text, i) => Number(text) * unitOf(i));
     drawFrames(engine.frames(arm, q));
   }
 

@@ -45,12 +45,14 @@ export function startBench() {
   const corrected = engine.bench(errata.map(({ id }) => id));
   let before;
 
-  const boxes = errata.map(({ id }) => make('input', { type: 'checkbox', id: `erratum-${id}`, value: id, onchange: turn }));
+  const boxes = errata.map(({ id }) =>
+    make('input', { type: 'checkbox', id: `erratum-${id}`, value: id, onchange: turn }));
   const chosen = () => boxes.filter((box) => box.checked).map((box) => box.value);
 
   function turn() {
     const now = engine.bench(chosen());
-    by('bench-count').textContent = `${engine.agreeing(now)} of ${engine.countOf(now)} published numbers come out with ` +
+    by('bench-count').textContent =
+      `${engine.agreeing(now)} of ${engine.countOf(now)} published numbers come out with ` +
       `${chosen().length} of ${errata.length} errata corrected.`;
     by('bench-bars').replaceChildren(bars('distance', now, corrected), bars('angle', now, corrected));
     by('bench-tables').replaceChildren(...now.map((one, i) => tableOf(one, before?.[i])));

@@ -32,5 +32,6 @@ export function openPage(name, heading) {
 
 export function startBook() {
   new ResizeObserver(makeScrollable).observe(by('book-text'));
-  by('book-pages').append(...pages.map(({ name, title }) => make('li', {}, make('a', { href: `#book/${name}` }, title))));
+  by('book-pages').append(...pages.map(({ name, title }) =>
+    make('li', {}, make('a', { href: `#book/${name}` }, title))));
 }

@@ -1,6 +1,6 @@
 /*
- * The exercises check themselves. What an answer is compared with comes from exercises/N.reference, run when the page was
- * built: formulas, or other programs than those of the exercise (docs/lab-book/check-exercise).
+ * The exercises check themselves. What an answer is compared with comes from exercises/N.reference, run when the page
+ * was built: formulas, or other programs than those of the exercise (docs/lab-book/check-exercise).
  */
 
 import { references } from 'page/pages.js';

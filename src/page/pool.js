@@ -26,8 +26,8 @@ export function runArmtol(words, files) {
 }
 
 /**
- * The same with --verify TOTAL: each worker draws every so many steps of arms; the counts are added up, so that the answer
- * is the one that a single worker gives.
+ * The same with --verify TOTAL: each worker draws every so many steps of arms; the counts are added up, so that the
+ * answer is the one that a single worker gives.
  * @param {(done: number) => void} progress
  * @returns {{ended: Promise<Ended>, stop: () => void}}
  */

@@ -124,7 +124,8 @@ export function drawArm(view, frames) {
 /* Points inside are small and round about the middle; those outside are larger, so that colour is not needed. */
 function cloudOf(errors, accuracy, inside, size, color) {
   const chosen = errors.filter((error) => error.every((value, i) => Math.abs(value) <= accuracy[i]) === inside);
-  const positions = Float32Array.from(chosen.flatMap((error) => error.slice(0, 3).map((value, i) => value / accuracy[i])));
+  const scaled = chosen.flatMap((error) => error.slice(0, 3).map((value, i) => value / accuracy[i]));
+  const positions = Float32Array.from(scaled);
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(positions, 3));
   return new Points(geometry, new PointsMaterial({ size, color }));

@@ -91,7 +91,8 @@ export function startStack() {
   const answering = deciding();
   const kinds = presets();
   let words = kinds[0].words;
-  const fields = places.map((_, i) => field(i, (at, word, origin) => set(words.map((old, n) => (n === at ? word : old)), origin)));
+  const fields = places.map((_, i) =>
+    field(i, (at, word, origin) => set(words.map((old, n) => (n === at ? word : old)), origin)));
 
   function set(chosen, origin) {
     words = chosen;
@@ -109,7 +110,8 @@ export function startStack() {
       const missed = !result.verdict.startsWith('agrees');
       return make('tr', { class: missed ? 'missed' : '' }, make('th', { scope: 'row' }, name),
         make('td', {}, result.published), make('td', {}, result.computed),
-        make('td', {}, make('span', { class: 'mark', 'aria-hidden': 'true' }, missed ? '≠' : '='), ' ', result.verdict));
+        make('td', {}, make('span', { class: 'mark', 'aria-hidden': 'true' }, missed ? '≠' : '='), ' ',
+          result.verdict));
     }));
   }
 

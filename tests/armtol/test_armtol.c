@@ -258,7 +258,8 @@ static const wrong_call wrong_calls[] = {
      "armtol: --given: \"x\" is not a number"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "knees=1", NULL},
      "armtol: --given: unknown name \"knees\"; expected theta, d, a,"},
-    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors=.1", "--tolerances", "d=0", NULL},
+    {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors=.1", "--tolerances", "d=0",
+      NULL},
      "armtol: --given is for tolerances that are asked for"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--given", "motors=1", NULL},
      "armtol: no tolerances: what is given uses"},
@@ -299,7 +300,8 @@ static const wrong_call wrong_calls[] = {
     {{"puma560", "--joints", POSE, "--joints=0", NULL}, "armtol: --joints: is given twice; expected once"},
     {{"puma560", "--show", "--csv", NULL}, "armtol: --csv writes tolerances only; expected --json, or nothing"},
     {{"--list", "--csv", NULL}, "armtol: --csv writes tolerances only; expected --json, or nothing"},
-    {{"puma560", "--joints", POSE, "--accuracy", WISH, "--verify", "1.5", NULL}, "armtol: --verify: \"1.5\" is not a whole"},
+    {{"puma560", "--joints", POSE, "--accuracy", WISH, "--verify", "1.5", NULL},
+     "armtol: --verify: \"1.5\" is not a whole"},
     {{"puma560", "--joints", NULL}, "armtol: an argument is missing after \"--joints\"; expected options as in --help"},
     {{"puma560", "--joints", POSE, "--degrees", "--accuracy", WISH, "--method", "sphere", NULL}, NULL},
 };
@@ -335,11 +337,12 @@ static void test_drives_that_are_too_much_are_told_with_their_share(void)
         (const char *const[]){"play.csv", "--joints", "0,0", "--accuracy", ".1,.1,.1,1,1,1", NULL});
     process_check_status(&process, 2, "drives");
     const double percent = 100 * 15 * 3.14159265358979323846 / 180 * 300 / .1;
-    TEST_ASSERT_EQUAL_STRING(string_of("armtol: no tolerances: the drives alone use %.4g %% of dy in pose 1: motor of link 0 "
-                                       "%.3g %%, motor of link 1 %.3g %%\n",
-                                       3 * percent, 2 * percent, percent)
-                                 .text,
-                             process.errors.bytes);
+    TEST_ASSERT_EQUAL_STRING(
+        string_of("armtol: no tolerances: the drives alone use %.4g %% of dy in pose 1: motor of link 0 "
+                  "%.3g %%, motor of link 1 %.3g %%\n",
+                  3 * percent, 2 * percent, percent)
+            .text,
+        process.errors.bytes);
 }
 
 /* ---- what is said, and how ---- */
@@ -394,7 +397,8 @@ static void test_why_sigma_can_be_more_than_the_worst_case(void)
     process process;
     file_write(string_of("%s/one.arm", folder.text).text,
                "units: mm deg\nkind, joint, a, alpha, d, theta\nppr, theta, 100, 0, 0, 0\n");
-    run_well(&process, folder.text, (const char *const[]){"one.arm", "--joints", "0", "--accuracy", "1,1,-,-,-,-", NULL});
+    run_well(&process, folder.text,
+             (const char *const[]){"one.arm", "--joints", "0", "--accuracy", "1,1,-,-,-,-", NULL});
     check_says(&process, "\ndx, dy, wz: 3 sigma is more than the worst case.");
     run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy",
                                                    "1,-,-,-,-,-", NULL});
@@ -411,8 +415,8 @@ static void test_what_is_equal_on_paper_is_equal(void)
                "npr, theta, 100, 0, 0, 0, -300, 300, 0.1, 0.1, 2\n");
     file_write(string_of("%s/t.csv", folder.text).text,
                "link,parameter,tolerance\n0,theta,0.3\n0,d,1\n0,a,1\n0,alpha,1\n");
-    run_well(&process, folder.text, (const char *const[]){"one.arm", "--joints", "300", "--tolerances", "t.csv", "--wish",
-                                                          "motors", NULL});
+    run_well(&process, folder.text,
+             (const char *const[]){"one.arm", "--joints", "300", "--tolerances", "t.csv", "--wish", "motors", NULL});
     check_says(&process, "deg        0.3          yes\n");
     run_well(&process, folder.text,
              (const char *const[]){"one.arm", "--joints", "300", "--tolerances", "t.csv", "--json", NULL});

@@ -24,7 +24,8 @@ void tearDown(void)
 
 static void test_every_answer(void)
 {
-    check_short_main(armtol_main, (const char *const[]){ASKED, "--budget", "--verify", "10", "--threads", "1", NULL}, 10);
+    check_short_main(armtol_main, (const char *const[]){ASKED, "--budget", "--verify", "10", "--threads", "1", NULL},
+                     10);
     check_short_main(armtol_main, (const char *const[]){ASKED, "--json", "--budget", NULL}, 8);
     check_short_main(armtol_main, (const char *const[]){ASKED, "--csv", NULL}, 6);
 }

@@ -33,9 +33,10 @@ static void check_silent(const process *process, const char *words)
 /* ---- tables ---- */
 
 /* As an identification in plain Denavit-Hartenberg gives two axes 300 apart and 0.05 degrees from parallel. */
-#define FAR "units: mm deg\njoint a alpha d theta low high mass com_x com_y com_z\n"                                   \
-            "fixed 0 0 40 0 - - 9 1 1 1\ntheta 0 0.05 -343774.5898120269 90 -170 - 2 10 20 343774\n"                     \
-            "theta 250 0 343774.7207117291 -90 - 100 3 -90 5 6\nfixed 0 90 0 30 - - 1 7 8 9\n"
+#define FAR                                                                                                            \
+    "units: mm deg\njoint a alpha d theta low high mass com_x com_y com_z\n"                                           \
+    "fixed 0 0 40 0 - - 9 1 1 1\ntheta 0 0.05 -343774.5898120269 90 -170 - 2 10 20 343774\n"                           \
+    "theta 250 0 343774.7207117291 -90 - 100 3 -90 5 6\nfixed 0 90 0 30 - - 1 7 8 9\n"
 
 static void read_far(const char *folder, bool as_is, arm_model *model)
 {
@@ -206,17 +207,18 @@ static void test_snap_has_a_range(void)
 static void write_robot(const char *file, const char *half, const char *quarter, const char *back)
 {
     char text[4000];
-    snprintf(text, sizeof text,
-             "<robot name='pecker'><link name='a'/><link name='b'/><link name='c'/><link name='d'/><link name='e'/>\n"
-             "<joint name='j1' type='continuous'><parent link='a'/><child link='b'/><origin xyz='0 0 0.3' rpy='%s 0 0'/>"
-             "<axis xyz='0 0 -1'/></joint>\n"
-             "<joint name='j2' type='continuous'><parent link='b'/><child link='c'/><origin xyz='0 0 -0.1' rpy='%s 0 0'/>"
-             "<axis xyz='0 0 1'/></joint>\n"
-             "<joint name='j3' type='continuous'><parent link='c'/><child link='d'/><origin xyz='0.3 0 0.05' rpy='0 0 %s'/>"
-             "<axis xyz='0 0 1'/></joint>\n"
-             "<joint name='f' type='fixed'><parent link='d'/><child link='e'/><origin xyz='0 0 0.09' rpy='%s 0 %s'/></joint>"
-             "</robot>\n",
-             half, quarter, back, half, quarter);
+    snprintf(
+        text, sizeof text,
+        "<robot name='pecker'><link name='a'/><link name='b'/><link name='c'/><link name='d'/><link name='e'/>\n"
+        "<joint name='j1' type='continuous'><parent link='a'/><child link='b'/><origin xyz='0 0 0.3' rpy='%s 0 0'/>"
+        "<axis xyz='0 0 -1'/></joint>\n"
+        "<joint name='j2' type='continuous'><parent link='b'/><child link='c'/><origin xyz='0 0 -0.1' rpy='%s 0 0'/>"
+        "<axis xyz='0 0 1'/></joint>\n"
+        "<joint name='j3' type='continuous'><parent link='c'/><child link='d'/><origin xyz='0.3 0 0.05' rpy='0 0 %s'/>"
+        "<axis xyz='0 0 1'/></joint>\n"
+        "<joint name='f' type='fixed'><parent link='d'/><child link='e'/><origin xyz='0 0 0.09' rpy='%s 0 %s'/></joint>"
+        "</robot>\n",
+        half, quarter, back, half, quarter);
     file_write(file, text);
 }
 
@@ -275,7 +277,8 @@ static void test_what_is_taken_for_exact_is_said(void)
     run_well(&process, folder.text, (const char *const[]){ASKED, "--snap", "0", NULL});
     check_silent(&process, "Taken for exact");
     run_well(&process, folder.text, (const char *const[]){"pecker.urdf", "--show", "--degrees", NULL});
-    check_says(&process, "# Taken for exact (--snap): axis 3 and the tool's z axis coincide (but for 0.000152 deg and ");
+    check_says(&process,
+               "# Taken for exact (--snap): axis 3 and the tool's z axis coincide (but for 0.000152 deg and ");
 }
 
 static void test_neighbours_that_are_parallel(void)

@@ -100,7 +100,8 @@ static void test_a_wrong_pose_of_one_joint(void)
     size_t n_poses;
     said said;
     TEST_ASSERT_FALSE(read_poses("1\nx\n", 4, 1, &poses, &n_poses, &said));
-    TEST_ASSERT_EQUAL_STRING("armtol: poses.csv:2:1: \"x\" is not a number; expected the values of 1 joint\n", said.text);
+    TEST_ASSERT_EQUAL_STRING("armtol: poses.csv:2:1: \"x\" is not a number; expected the values of 1 joint\n",
+                             said.text);
 }
 
 static void test_wrong_poses(void)

@@ -132,9 +132,10 @@ static void test_a_chain_goes_up_to_the_common_link_and_down_again(void)
 
 static void test_the_tips_are_sorted_by_their_joints_and_a_leaf_that_nothing_moves_is_none(void)
 {
-    check_said(two_arms, NULL, NULL, false,
-               "armtol: arm.urdf has several links at the end; choose the tool's with --tip: \"fork\" (2 joints), \"hand\" "
-               "(1 joint)\n");
+    check_said(
+        two_arms, NULL, NULL, false,
+        "armtol: arm.urdf has several links at the end; choose the tool's with --tip: \"fork\" (2 joints), \"hand\" "
+        "(1 joint)\n");
     arm_model model;
     read_fine("<robot name='r'>" LINK("a") LINK("b") LINK("c") JOINT("j", "revolute", "a", "b", "")
               JOINT("k", "fixed", "a", "c", "") "</robot>", NULL, NULL, &model);
@@ -187,18 +188,18 @@ static void test_what_is_wrong_with_a_quaternion(void)
 
 /* ---- joints that follow ---- */
 
-#define COUPLED(mimic_b, mimic_c) \
-    "<robot name='r'>" LINK("a") LINK("b") LINK("c") LINK("d") \
-    JOINT("j", "revolute", "a", "b", "<axis xyz='0 0 1'/>") \
-    JOINT("k", "prismatic", "b", "c", "<origin xyz='0.5 0 0' rpy='0.2 0 0'/><axis xyz='0 1 0'/>" mimic_b) \
-    JOINT("l", "revolute", "c", "d", "<origin xyz='0 0 0.3'/><axis xyz='1 0 0'/><limit lower='-2' upper='1'/>" mimic_c) \
-    "</robot>"
+#define COUPLED(mimic_b, mimic_c)                                                                                      \
+    "<robot name='r'>" LINK("a") LINK("b") LINK("c") LINK("d") JOINT("j", "revolute", "a", "b", "<axis xyz='0 0 1'/>") \
+        JOINT("k", "prismatic", "b", "c", "<origin xyz='0.5 0 0' rpy='0.2 0 0'/><axis xyz='0 1 0'/>" mimic_b)          \
+            JOINT("l", "revolute", "c", "d",                                                                           \
+                  "<origin xyz='0 0 0.3'/><axis xyz='1 0 0'/><limit lower='-2' upper='1'/>" mimic_c) "</robot>"
 
 static void check_coupled(const char *text, const double q[], size_t n_joints, const double values[3])
 {
     static const double z[] = {0, 0, 1}, y[] = {0, 1, 0}, x[] = {1, 0, 0}, none[] = {0, 0, 0};
     static const double k_xyz[] = {0.5, 0, 0}, k_rpy[] = {0.2, 0, 0}, l_xyz[] = {0, 0, 0.3};
-    const armtol_transform j = motion_about(z, values[0]), k = motion_along(y, values[1]), l = motion_about(x, values[2]);
+    const armtol_transform j = motion_about(z, values[0]), k = motion_along(y, values[1]),
+                           l = motion_about(x, values[2]);
     const armtol_transform one = step(none, none, &j), two = step(k_xyz, k_rpy, &k), three = step(l_xyz, none, &l);
     const armtol_transform both = motion_product(&one, &two), expected = motion_product(&both, &three);
     arm_model model;
@@ -216,8 +217,9 @@ static void test_a_joint_follows_another_of_the_chain(void)
                   (const double[3]){0.8, 0.3, -2 * 0.8 + 0.25});
     check_coupled(COUPLED("<mimic joint='j'/>", ""), q, 2, (const double[3]){0.8, 0.8, 0.3});
     /* by way of another */
-    check_coupled(COUPLED("<mimic joint='j' multiplier='0.5' offset='0.1'/>", "<mimic joint='k' multiplier='3' offset='1'/>"),
-                  q, 1, (const double[3]){0.8, 0.5, 2.5});
+    check_coupled(
+        COUPLED("<mimic joint='j' multiplier='0.5' offset='0.1'/>", "<mimic joint='k' multiplier='3' offset='1'/>"), q,
+        1, (const double[3]){0.8, 0.5, 2.5});
     /* a leader behind the follower */
     check_coupled(COUPLED("<mimic joint='l' multiplier='0.5'/>", ""), q, 2, (const double[3]){0.8, 0.15, 0.3});
     /* a leader that the chain, or the file, does not have */
@@ -259,9 +261,11 @@ static void test_faults_outside_the_chain_do_not_matter(void)
 static void test_xacro_that_only_defines_does_no_harm(void)
 {
     arm_model model;
-    read_fine("<robot name='r'>" LINK("a") "<xacro:property name='w' value='${3 * 2}'/><xacro:arg name='x' default='1'/>"
-              "<xacro:macro name='m' params='p'><joint name='${p}'/><xacro:if value='1'/></xacro:macro>" LINK("b")
-              JOINT("j", "revolute", "a", "b", "") "</robot>", NULL, NULL, &model);
+    read_fine("<robot name='r'>" LINK(
+                  "a") "<xacro:property name='w' value='${3 * 2}'/><xacro:arg name='x' default='1'/>"
+                       "<xacro:macro name='m' params='p'><joint name='${p}'/><xacro:if value='1'/></xacro:macro>" LINK(
+                           "b") JOINT("j", "revolute", "a", "b", "") "</robot>",
+              NULL, NULL, &model);
     TEST_ASSERT_EQUAL_UINT(1, armtol_arm_joint_count(&model.arm));
     arm_model_free(&model);
 }
@@ -275,8 +279,9 @@ static void test_millimetres_and_degrees_are_warned_of(void)
     check_said(AT("xyz='0 89.2 425'"), NULL, NULL, true,
                "armtol: warning: arm.urdf: the joints are 434 m apart all together; are these millimetres? A URDF has "
                "metres\n");
-    check_said(AT("rpy='0 -90 0'"), NULL, NULL, true,
-               "armtol: arm.urdf:2:1: warning: joint \"j\" has -90 in its rpy; are these degrees? A URDF has radians\n");
+    check_said(
+        AT("rpy='0 -90 0'"), NULL, NULL, true,
+        "armtol: arm.urdf:2:1: warning: joint \"j\" has -90 in its rpy; are these degrees? A URDF has radians\n");
     check_said(AT("xyz='0 0 99' rpy='6.2832 0 0'"), NULL, NULL, true, "");
 }
 
@@ -306,8 +311,9 @@ static void test_the_tree_is_drawn_with_its_joints(void)
                 "    hand  (h: fixed)\n"
                 "  eye  (e: fixed)\n");
     check_drawn("<robot name='r'>" LINK("z") LINK("b") LINK("a")
-                JOINT("j", "prismatic", "a", "b", "<limit upper='0.25'/><mimic joint='&#9;x' multiplier='-2' offset='0.5'/>")
-                "</robot>", &small,
+                    JOINT("j", "prismatic", "a", "b",
+                          "<limit upper='0.25'/><mimic joint='&#9;x' multiplier='-2' offset='0.5'/>") "</robot>",
+                &small,
                 "a\n"
                 "  b  (j: prismatic, 0 to 250 mm, -2 x ?x + 500)\n"
                 "z\n");

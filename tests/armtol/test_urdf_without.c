@@ -17,8 +17,9 @@ void tearDown(void)
 {
 }
 
-#define REFUSED "armtol: arm.urdf is a URDF, and this armtol was built without expat, which reads them; install expat with " \
-                "its headers (package libexpat1-dev, expat-devel or expat) and build armtol again\n"
+#define REFUSED                                                                                                        \
+    "armtol: arm.urdf is a URDF, and this armtol was built without expat, which reads them; install expat with "       \
+    "its headers (package libexpat1-dev, expat-devel or expat) and build armtol again\n"
 
 static void test_it_says_what_to_install(void)
 {

@@ -8,7 +8,8 @@ function(build_by_cmake prefix folder)
   run(${CMAKE_COMMAND} --build ${folder})
 endfunction()
 
-# compile_by_pkg_config(PREFIX FOLDER LIBRARIES [FLAG...]): what pkg-config says for LIBRARIES, with FLAGs of the compiler
+# compile_by_pkg_config(PREFIX FOLDER LIBRARIES [FLAG...]): what pkg-config says for LIBRARIES, with FLAGs of the
+# compiler
 function(compile_by_pkg_config prefix folder libraries)
   set(ENV{PKG_CONFIG_PATH} ${prefix}/${LIBDIR}/pkgconfig)
   run(${PKG_CONFIG} --modversion armtol)

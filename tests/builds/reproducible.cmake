@@ -1,5 +1,5 @@
-# Built twice, in folders of other names and at another time, and installed in other ways, all files are the same: no path
-# and no date gets in, not even with what a debugger wants to know.
+# Built twice, in folders of other names and at another time, and installed in other ways, all files are the same: no
+# path and no date gets in, not even with what a debugger wants to know.
 include(${CMAKE_CURRENT_LIST_DIR}/run.cmake)
 
 set(one ${BINARY}/one)

@@ -18,6 +18,7 @@ endif()
 file(WRITE ${BINARY}/robot.urdf "<robot name=\"r\"><link name=\"base\"/></robot>\n")
 execute_process(COMMAND ${BINARY}/armtol ${BINARY}/robot.urdf ${question}
   RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE error)
-if(NOT result MATCHES "^[12]$" OR NOT output STREQUAL "" OR NOT error MATCHES "^armtol: [^\n]*expat[^\n]*install[^\n]*\n$")
+if(NOT result MATCHES "^[12]$" OR NOT output STREQUAL ""
+   OR NOT error MATCHES "^armtol: [^\n]*expat[^\n]*install[^\n]*\n$")
   message(FATAL_ERROR "for a URDF armtol ended with ${result} and said\n${output}${error}")
 endif()

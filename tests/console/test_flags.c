@@ -87,8 +87,10 @@ static void test_what_is_wrong_is_named(void)
     check_refused((const char *const[]){"test", NULL}, "test: the table is missing; expected test [-q] TABLE\n");
     check_refused((const char *const[]){"test", "a", "b", "c", NULL},
                   "test: unexpected argument \"b\"; expected test [-q] TABLE\n");
-    check_refused((const char *const[]){"test", "-x", "a", NULL}, "test: unknown option \"-x\"; expected options as in --help\n");
-    check_refused((const char *const[]){"test", "-c", NULL}, "test: an argument is missing after \"-c\"; expected options as in --help\n");
+    check_refused((const char *const[]){"test", "-x", "a", NULL},
+                  "test: unknown option \"-x\"; expected options as in --help\n");
+    check_refused((const char *const[]){"test", "-c", NULL},
+                  "test: an argument is missing after \"-c\"; expected options as in --help\n");
     check_refused((const char *const[]){"test", "-c", "wrong", "a", NULL}, "");
 }
 

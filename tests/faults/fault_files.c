@@ -195,8 +195,8 @@ static void end_writer(void)
 }
 
 /*
- * As in `armtol <(program) ...`. The name of an arm in a table is in the table. The name of tolerances is printed, and the
- * pipe's is as long, so that lines break in the same places.
+ * As in `armtol <(program) ...`. The name of an arm in a table is in the table. The name of tolerances is printed, and
+ * the pipe's is as long, so that lines break in the same places.
  */
 static void test_fifos_are_read(void)
 {

@@ -1,6 +1,6 @@
 /*
- * Arms from axes: whatever the axes, the links bring the tool where turning about, and sliding along, the axes does, but
- * for what was taken for exact; the table keeps to the rules of axes.h, and as a table it has these axes again.
+ * Arms from axes: whatever the axes, the links bring the tool where turning about, and sliding along, the axes does,
+ * but for what was taken for exact; the table keeps to the rules of axes.h, and as a table it has these axes again.
  */
 
 #include "fuzz/bytes.h"

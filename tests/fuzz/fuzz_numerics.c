@@ -131,7 +131,8 @@ static void clear_matrices(problem *problem)
 {
     const size_t n = problem->n_columns;
     for (size_t p = 0; p < problem->n_poses; p++) {
-        armtol_tool_matrix_clear(problem->placed[p], problem->n_links, &problem->tool, problem->matrices + p * 6 * n, n);
+        armtol_tool_matrix_clear(problem->placed[p], problem->n_links, &problem->tool, problem->matrices + p * 6 * n,
+                                 n);
     }
 }
 

@@ -73,8 +73,8 @@ static size_t follow(const urdf_tree *tree, const urdf_chain *chain, size_t i, d
     size_t last = i, steps = 0;
     *multiplier = 1;
     *offset = 0;
-    for (const urdf_joint *joint = &tree->joints[chain->joints[i]]; joint->leader != URDF_NONE && steps < tree->n_joints;
-         joint = &tree->joints[joint->leader], steps++) {
+    for (const urdf_joint *joint = &tree->joints[chain->joints[i]];
+         joint->leader != URDF_NONE && steps < tree->n_joints; joint = &tree->joints[joint->leader], steps++) {
         o += m * joint->offset;
         m *= joint->multiplier;
         const size_t place = place_of(tree, chain, joint->leader);
@@ -115,7 +115,8 @@ static armtol_transform inverse_of(const armtol_transform *m)
 
 static armtol_transform step_of(const urdf_joint *joint, double value)
 {
-    const armtol_transform origin = joint->has_quaternion ? urdf_joint_origin(joint) : motion_of_rpy(joint->xyz, joint->rpy);
+    const armtol_transform origin =
+        joint->has_quaternion ? urdf_joint_origin(joint) : motion_of_rpy(joint->xyz, joint->rpy);
     if (!moves(joint)) {
         return origin;
     }

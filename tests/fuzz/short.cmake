@@ -1,5 +1,5 @@
-# A few seconds of libFuzzer, from the same start each time: -D PROGRAM, SECONDS, CORPUS, HARNESS. What it finds stays in
-# the folder of the corpus.
+# A few seconds of libFuzzer, from the same start each time: -D PROGRAM, SECONDS, CORPUS, HARNESS. What it finds stays
+# in the folder of the corpus.
 set(kept ${CMAKE_CURRENT_LIST_DIR}/seeds/${HARNESS})
 if(EXISTS ${CMAKE_CURRENT_LIST_DIR}/findings/${HARNESS})
   list(APPEND kept ${CMAKE_CURRENT_LIST_DIR}/findings/${HARNESS})

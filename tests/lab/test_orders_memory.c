@@ -30,7 +30,8 @@ static void test_a_survey(void)
 
 static void test_a_table_that_cannot_be_opened(void)
 {
-    check_main_without_descriptors(joint_orders_main, (const char *const[]){"joint-orders", TEST_ONE_CASE, NULL}, TEST_ONE_CASE);
+    check_main_without_descriptors(joint_orders_main, (const char *const[]){"joint-orders", TEST_ONE_CASE, NULL},
+                                   TEST_ONE_CASE);
 }
 
 int main(void)

@@ -30,7 +30,8 @@ static void test_every_table(void)
 static void test_the_cases(void)
 {
     const string out = folder_new();
-    check_short_main(reproduce_main, (const char *const[]){"reproduce", TEST_PROGRAMS, TEST_ONE_CASE, out.text, NULL}, 8);
+    check_short_main(reproduce_main, (const char *const[]){"reproduce", TEST_PROGRAMS, TEST_ONE_CASE, out.text, NULL},
+                     8);
 }
 
 int main(void)

@@ -1,4 +1,7 @@
-/* What the page's WebAssembly prints is golden/, to the byte; and the words on the stack do what the legacy program does. */
+/*
+ * What the page's WebAssembly prints is golden/, to the byte; and the words on the stack do what the legacy program
+ * does.
+ */
 
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
@@ -12,10 +15,12 @@ for (const [folder, options] of [['1987', []], ['corrected', ['--fix', 'all']]])
   for (const one of readdirSync(path.join(root, 'golden', folder))) {
     test(`golden/${folder}/${one}`, async () => {
       const program = one.replace(/-.*/, '');
-      const ran = await runWasm('programs', [program, ...options], {}, golden(folder, one, 'input').toString(), { asynchronous: true });
+      const typed = golden(folder, one, 'input').toString();
+      const ran = await runWasm('programs', [program, ...options], {}, typed, { asynchronous: true });
       assert.equal(ran.code, 0);
       assert.equal(ran.err, golden(folder, one, 'dialogue').toString());
-      const written = readdirSync(path.join(root, 'golden', folder, one)).filter((name) => !['input', 'dialogue'].includes(name));
+      const all = readdirSync(path.join(root, 'golden', folder, one));
+      const written = all.filter((name) => !['input', 'dialogue'].includes(name));
       assert.equal(written.length, 4);
       for (const name of written) {
         assert.deepEqual(Buffer.from(ran.module.FS.readFile(`/here/${name}`)), golden(folder, one, name), name);
@@ -39,7 +44,10 @@ for (const [, name, question] of questions) {
   });
 }
 
-/* The table of docs/lab-book/residue.md is the legacy program's, its diagonal set by hand: another program than the library. */
+/*
+ * The table of docs/lab-book/residue.md is the legacy program's, its diagonal set by hand: another program than the
+ * library.
+ */
 test('words on the stack give what the legacy program gives with them', async () => {
   const rows = readFileSync(path.join(root, 'docs/lab-book/residue.md'), 'utf8').split('\n')
     .map((line) => /^\|.*\| `(x?[0-9a-f]+) (\d) (\d)` \|.*\| (\d+) of 66 \|/.exec(line)).filter(Boolean)

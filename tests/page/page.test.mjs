@@ -1,4 +1,7 @@
-/* The page in Chromium, opened as a file, by real clicks and keys. What it shows is held against the programs of the build. */
+/*
+ * The page in Chromium, opened as a file, by real clicks and keys. What it shows is held against the programs of the
+ * build.
+ */
 
 import assert from 'node:assert/strict';
 import { execFileSync, spawnSync } from 'node:child_process';
@@ -26,7 +29,7 @@ before(async () => {
 });
 after(() => browser.close());
 
-/** A page at that part; whatever goes wrong in it, and every request that leaves the file, fails the test at its end. */
+/** A page at that part; what goes wrong in it, and every request that leaves the file, fails the test at its end. */
 async function withPage(part, act, options = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 1000 }, ...options });
   const page = await context.newPage();
@@ -63,9 +66,11 @@ async function fileOf(page, name) {
 
 for (const [program, prefix] of [['intella', 'int'], ['adpta', 'adpt']]) {
   for (const number of [1, 2]) {
-    test(`terminal: a click on ${program}, case ${number}, gives the files of golden/`, () => withPage('terminal', async (page) => {
+    const what = `terminal: a click on ${program}, case ${number}, gives the files of golden/`;
+    test(what, () => withPage('terminal', async (page) => {
       await page.click(`text=${program}, case ${number}`);
-      await page.waitForFunction((name) => document.getElementById('terminal-status').textContent === `${name} is done.`, program);
+      await page.waitForFunction((name) =>
+        document.getElementById('terminal-status').textContent === `${name} is done.`, program);
       for (const kind of ['a', 'at', 'tol', 'mach']) {
         const name = `${prefix}${kind}.1`;
         assert.equal(await fileOf(page, name), goldenFile('1987', `${program}-${number}`, name));
@@ -74,7 +79,7 @@ for (const [program, prefix] of [['intella', 'int'], ['adpta', 'adpt']]) {
   }
 }
 
-test('terminal: typed at the keyboard, a wrong answer is asked again, keys edit the line', () => withPage('terminal', async (page) => {
+test('terminal: typed, a wrong answer is asked again, keys edit the line', () => withPage('terminal', async (page) => {
   await page.click('#screen');
   await page.keyboard.type('adpta --fix all\n');
   await waitForScreen(page, 'enter desired position:');
@@ -96,7 +101,8 @@ test('terminal: pasted lines, a file saved, Control-C', () => withPage('terminal
   await page.evaluate((text) => {
     const data = new DataTransfer();
     data.setData('text/plain', text);
-    document.querySelector('.xterm-helper-textarea').dispatchEvent(new ClipboardEvent('paste', { clipboardData: data, bubbles: true }));
+    const pasted = new ClipboardEvent('paste', { clipboardData: data, bubbles: true });
+    document.querySelector('.xterm-helper-textarea').dispatchEvent(pasted);
   }, `adpta\n${goldenFile('1987', 'adpta-2', 'input')}`);
   await page.waitForFunction(() => document.getElementById('terminal-status').textContent === 'adpta is done.');
   await page.click('[role=tab]:text-is("adpttol.1")');
@@ -115,7 +121,7 @@ test('terminal: pasted lines, a file saved, Control-C', () => withPage('terminal
 const countOn = async (page, id) => Number(/(\d+) of 66/.exec(await page.textContent(id))[1]);
 
 /* The program reproduce counts apart from the page, from the files that the programs write. */
-test('bench: all 66 numbers, and with each erratum corrected as many as with --fix', () => withPage('bench', async (page) => {
+test('bench: all 66 numbers, and as many as with --fix for each erratum', () => withPage('bench', async (page) => {
   assert.equal(await countOn(page, '#bench-count'), 66);
   assert.equal(await page.locator('#bench-tables tbody tr').count(), 66);
   const listed = execFileSync(path.join(programs, 'intella'), ['--list-errata'], { encoding: 'utf8' });
@@ -137,7 +143,8 @@ test('bench: all 66 numbers, and with each erratum corrected as many as with --f
   await page.click('#bench-all');
   const bars = await page.textContent('#bench-bars');
   for (const [program, number] of [['intella', '1'], ['adpta', '2']]) {
-    const bounds = [...textsOf(program, number, 'all').matchAll(/A bound on .* = +([0-9.]+)/g)].map((found) => found[1]);
+    const lines = textsOf(program, number, 'all').matchAll(/A bound on .* = +([0-9.]+)/g);
+    const bounds = [...lines].map((found) => found[1]);
     assert.equal(bounds.length, 2);
     assert.ok(bars.includes(`${program} ${number}, these switches${bounds[0]} mm`), bounds[0]);
     assert.ok(bars.includes(`${program} ${number}, all corrected${bounds[1]} rad`), bounds[1]);
@@ -155,7 +162,8 @@ function textsOf(program, number, fix) {
 
 /* How many published numbers an erratum's correction changes. */
 function differing(id) {
-  const published = goldenFile('published.tsv').split('\n').map((line) => line.split('\t')).filter(([, , role]) => role === 'result');
+  const rows = goldenFile('published.tsv').split('\n').map((line) => line.split('\t'));
+  const published = rows.filter(([, , role]) => role === 'result');
   const texts = {};
   for (const program of ['intella', 'adpta']) {
     for (const number of ['1', '2']) texts[program + number] = textsOf(program, number, id);
@@ -191,12 +199,13 @@ test('stack: the machines, a word typed, a slider moved', () => withPage('stack'
   assert.match(await page.textContent('#seen-0'), /-4$/);
 }));
 
-test('arms: the share inside is that of the program yield; the views are drawn', () => withPage('arms', async (page) => {
+test('arms: the share inside is that of yield; the views are drawn', () => withPage('arms', async (page) => {
   const said = await page.textContent('#cloud-said');
   const [published, corrected] = [...said.matchAll(/(\d+) of 1000/g)].map((found) => Number(found[1]));
   const rows = execFileSync(path.join(programs, 'yield'), ['--samples', '1000', '--seed', '1987', '--format', 'tsv',
     path.join(root, 'golden/published.tsv')], { encoding: 'utf8' });
-  assert.match(rows, new RegExp(`adpta\\s+1[^\\n]*\\b(${published / 10}|${(published / 10).toFixed(1)}|${published})\\b`));
+  const share = `(${published / 10}|${(published / 10).toFixed(1)}|${published})`;
+  assert.match(rows, new RegExp(`adpta\\s+1[^\\n]*\\b${share}\\b`));
   assert.equal(corrected, 1000);
   for (const id of ['arm-view', 'cloud-view']) {
     const before = await page.locator(`#${id}`).screenshot();
@@ -218,7 +227,7 @@ async function ask(page, command) {
   await page.waitForSelector('#ask-run:enabled');
 }
 
-test('armtol: shards merge to what one program counts; a stop tells what was drawn', () => withPage('arms', async (page) => {
+test('armtol: shards merge to one count; a stop tells what was drawn', () => withPage('arms', async (page) => {
   const command = 'puma560 --joints 0,0.8,-2.5,0,0.8,0 --accuracy .5,.5,.5,.002,.002,.002';
   await ask(page, `${command} --verify 300000`);
   assert.equal(await page.textContent('#ask-output'), native(...command.split(' '), '--verify', '300000').stdout);
@@ -230,51 +239,67 @@ test('armtol: shards merge to what one program counts; a stop tells what was dra
   assert.match(await page.textContent('#ask-output'), /armtol|arms/);
   assert.doesNotMatch(await page.textContent('#ask-output'), /\b10000000\b/);
   await ask(page, 'nobody --joints 0 --accuracy 1,1,1,1,1,1');
-  assert.match(await page.textContent('#ask-message'), /nobody is neither a built-in arm .* nor a file\s+exit status 2/);
+  const said = await page.textContent('#ask-message');
+  assert.match(said, /nobody is neither a built-in arm .* nor a file\s+exit status 2/);
 }));
 
 /** Drops a file on the page, as a mouse does. */
 const drop = (page, name, text) => page.evaluate(([file, content]) => {
   const data = new DataTransfer();
   data.items.add(new File([content], file));
-  document.getElementById('ask-drop').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
+  const drop = new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true });
+  document.getElementById('ask-drop').dispatchEvent(drop);
 }, [name, text]);
 
 const urdf = `<robot name="two"><link name="base"/><link name="upper"/><link name="tip"/>
-<joint name="one" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/><limit lower="-1" upper="1"/></joint>
+<joint name="one" type="revolute"><parent link="base"/><child link="upper"/>
+<axis xyz="0 0 1"/><limit lower="-1" upper="1"/></joint>
 <joint name="two" type="revolute"><parent link="upper"/><child link="tip"/><origin xyz="0.5 0 0.1"/><axis xyz="0 1 0"/>
 <limit lower="-2" upper="2"/></joint></robot>`;
 
-test('armtol: a table and a URDF dropped, and wrong files told as the program tells them', () => withPage('arms', async (page) => {
+test('armtol: a table, a URDF, and wrong files, told as the program does', () => withPage('arms', async (page) => {
   const broken = 'kind,joint,a,alpha,d,theta,beta\nnpr,revolute,abc,0,0,0,0\n';
-  const files = { 'crane.csv': goldenFile('armtol', 'crane.csv'), 'two.urdf': urdf, 'broken.csv': broken, 'broken.urdf': urdf.slice(0, 200) };
+  const files = {
+    'crane.csv': goldenFile('armtol', 'crane.csv'), 'two.urdf': urdf,
+    'broken.csv': broken, 'broken.urdf': urdf.slice(0, 200),
+  };
   for (const [name, text] of Object.entries(files)) {
     writeFileSync(path.join(scratch, name), text);
     const told = native(name, '--show');
-    await page.evaluate(() => { for (const id of ['ask-output', 'ask-message']) document.getElementById(id).textContent = ''; });
+    await page.evaluate(() => {
+      for (const id of ['ask-output', 'ask-message']) document.getElementById(id).textContent = '';
+    });
     await drop(page, name, text);
-    await page.waitForFunction(() => document.getElementById('ask-output').textContent + document.getElementById('ask-message').textContent);
+    await page.waitForFunction(() =>
+      document.getElementById('ask-output').textContent + document.getElementById('ask-message').textContent);
     assert.equal(told.status, name.startsWith('broken') ? 2 : 0, told.stderr);
     assert.equal(await page.textContent('#ask-output'), told.stdout, name);
-    assert.equal(await page.textContent('#ask-message'), told.stderr + (told.status ? `exit status ${told.status}` : ''), name);
+    const ended = told.status ? `exit status ${told.status}` : '';
+    assert.equal(await page.textContent('#ask-message'), told.stderr + ended, name);
   }
 }));
 
-test('lab book: linked from where one stands; pages, figures and headings; exercises check themselves', () => withPage('stack', async (page) => {
+const book = 'lab book: linked from where one stands; pages, figures and headings; exercises check themselves';
+test(book, () => withPage('stack', async (page) => {
   await page.click('text=The detective story');
   await page.waitForSelector('#book-text h1:text-is("The word on the stack")');
-  assert.ok(await page.evaluate(() => [...document.querySelectorAll('#book-text img')].every((image) => image.complete && image.naturalWidth > 0)));
+  assert.ok(await page.evaluate(() => [...document.querySelectorAll('#book-text img')]
+    .every((image) => image.complete && image.naturalWidth > 0)));
   const links = await page.locator('#book-pages a').evaluateAll((all) => all.map((link) => link.hash));
   assert.equal(links.length, 12);
   for (const hash of links) {
     await page.click(`#book-pages a[href="${hash}"]`);
     await page.waitForSelector(`#book-text[data-page="${hash.split('/')[1]}"] h1`);
-    const dead = await page.locator('#book-text a').evaluateAll((all) => all.map((link) => link.getAttribute('href')).filter((to) => !to.startsWith('#book/')));
+    const dead = await page.locator('#book-text a').evaluateAll((all) =>
+      all.map((link) => link.getAttribute('href')).filter((to) => !to.startsWith('#book/')));
     assert.deepEqual(dead, []);
   }
   await page.click('#book-pages a[href="#book/exercises"]');
   const check = page.locator('form.check').nth(1);
-  for (const [name, value] of [['bounds', '2'], ['parts', '1.41'], ['corrected', '2'], ['erratum', 'root-of-ratio'], ['metres', '30']]) {
+  const answers = [
+    ['bounds', '2'], ['parts', '1.41'], ['corrected', '2'], ['erratum', 'root-of-ratio'], ['metres', '30'],
+  ];
+  for (const [name, value] of answers) {
     await check.getByLabel(name).fill(value);
   }
   await check.getByRole('button').click();
@@ -290,7 +315,9 @@ test('the keyboard alone gets to every part and out of the terminal', () => with
   assert.equal(await page.evaluate(() => document.activeElement.textContent), 'adpta, case 2');
   for (const part of ['bench', 'stack', 'arms', 'book']) {
     await page.focus('nav a[href="#terminal"]');
-    for (let i = 0; i < 6 && (await page.evaluate(() => document.activeElement.hash)) !== `#${part}`; i++) await page.keyboard.press('Tab');
+    for (let i = 0; i < 6 && (await page.evaluate(() => document.activeElement.hash)) !== `#${part}`; i++) {
+      await page.keyboard.press('Tab');
+    }
     await page.keyboard.press('Enter');
     await page.waitForSelector(`#${part}:not([hidden])`);
   }

@@ -42,7 +42,8 @@ export async function runWasm(name, words, files, input = '', { asynchronous = f
   const strings = words.map((word) => module.allocateUTF8(word));
   const argv = module._malloc(4 * (strings.length + 1));
   module.HEAPU32.set([...strings, 0], argv / 4);
-  const code = await module.ccall('main', 'number', ['number', 'number'], [strings.length, argv], { async: asynchronous });
+  const types = ['number', 'number'];
+  const code = await module.ccall('main', 'number', types, [strings.length, argv], { async: asynchronous });
   const text = (bytes) => Buffer.from(bytes).toString('utf8');
   return { code, out: text(said.out), err: text(said.err), both: text(said.both), module };
 }

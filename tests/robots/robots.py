@@ -1,5 +1,5 @@
-"""robots.py ARMTOL FOLDER [--list]: every chain of every URDF and xacro file below FOLDER, read by armtol and by the plain
-reader below, which multiplies matrices as the format's text says and knows nothing of armtol.
+"""robots.py ARMTOL FOLDER [--list]: every chain of every URDF and xacro file below FOLDER, read by armtol and by the
+plain reader below, which multiplies matrices as the format's text says and knows nothing of armtol.
 
 Printed for each package: files and chains read, those refused and why, the largest difference of the two forward
 kinematics (also of the table in Craig's order), the chains that have a length beyond twice their reach, and those whose
@@ -109,7 +109,7 @@ class Robot:
         self.leaves = [link for link in links if link not in parents]
 
     def chain(self, leaf):
-        """The joints from the root, or from below the last that floats, to the leaf; and the link that they begin at."""
+        """The joints from the root, or from below the last that floats, to the leaf; and the link they begin at."""
         joints = []
         link = leaf
         while link in self.above and self.above[link].type not in ("floating", "planar"):
@@ -222,7 +222,8 @@ def reason(text):
 
 def tolerances(armtol, path, base, tip, joints, values):
     q = ",".join(repr(values[joint.name]) for joint in joints)
-    ran = run(armtol, path, "--base", base, "--tip", tip, "--joints=" + q, "--accuracy", ACCURACY, "--ignore-limits", "--csv")
+    ran = run(armtol, path, "--base", base, "--tip", tip, "--joints=" + q, "--accuracy", ACCURACY, "--ignore-limits",
+              "--csv")
     if ran.returncode != 0:
         return None
     rows = csv.DictReader(io.StringIO(ran.stdout), skipinitialspace=True)
@@ -236,7 +237,8 @@ def changed(one, other):
     most = 0.0
     for key, value in one.items():
         if value != other[key]:
-            most = max(most, abs(other[key] / value - 1) if math.isfinite(value + other[key]) and value > 0 else math.inf)
+            fine = math.isfinite(value + other[key]) and value > 0
+            most = max(most, abs(other[key] / value - 1) if fine else math.inf)
     return most
 
 
@@ -295,7 +297,8 @@ def try_chain(armtol, path, chain, other_path, tally, generator):
         values = draw(joints, generator)
         q = [values[joint.name] for joint in joints]
         meant = plain_kinematics(up, down, values)
-        off = max(difference(meant, table_kinematics(rows, q, False)), difference(meant, table_kinematics(craig_rows, q, True)))
+        off = max(difference(meant, table_kinematics(rows, q, False)),
+                  difference(meant, table_kinematics(craig_rows, q, True)))
         tally.worst = max(tally.worst, off / max(reach, 1))
         if not off <= SAME * max(reach, 1):
             tally.wrong.append(f"{name}: the tool is off by {off:g}")

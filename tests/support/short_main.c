@@ -88,7 +88,8 @@ static bool ends(int code, const said *said, const char *refusal)
                            : strncmp(said->text, refusal, strlen(refusal)) == 0;
 }
 
-static void check_lack(main_routine *entry, const char *const arguments[], memory_lack lack, const char *refusal, long least)
+static void check_lack(main_routine *entry, const char *const arguments[], memory_lack lack, const char *refusal,
+                       long least)
 {
     bool enough = false;
     long n = 0;

@@ -3,11 +3,11 @@
 
     mutants.py SOURCE BUILD --mutants N --seed S [--jobs J] [--only REGEX] | --again
 
-All mutants of the chosen files are made by universalmutator, shuffled with the seed, and taken in turn: one that does not
-compile (a return left out is an error), or whose object file at -O2 is the original's, is no mutant and is passed over,
-until there are N. Each is put into a copy of the tree below BUILD and built, and the tests run until one fails: killed.
-What no test notices is listed, unless tests/trust/survivors.tsv says why nothing could notice it; BUILD/survivors.json
-has it too, and --again takes those once more, when there are new tests.
+All mutants of the chosen files are made by universalmutator, shuffled with the seed, and taken in turn: one that does
+not compile (a return left out is an error), or whose object file at -O2 is the original's, is no mutant and is passed
+over, until there are N. Each is put into a copy of the tree below BUILD and built, and the tests run until one fails:
+killed. What no test notices is listed, unless tests/trust/survivors.tsv says why nothing could notice it;
+BUILD/survivors.json has it too, and --again takes those once more, when there are new tests.
 
 Exit status: 0 at least 95 of 100 are killed or explained; 1 fewer, or one that is explained is killed; 2 usage, or a
 row of survivors.tsv whose line is not there, or not as often as it says.
@@ -40,7 +40,8 @@ UNTIMED = 60 # what is not timed: what takes long and is for survivors only
 EXPLAINED = "tests/trust/survivors.tsv"
 
 # Tests that run many times as long as the others, or build the project once more.
-HEAVY = r"^(memcheck|build|docs|fault|fuzz|machines|man)_|^(install|example.*|exports)$|_legacy$|^test_(joint_orders.*|yield|reproduce)$"
+HEAVY = (r"^(memcheck|build|docs|fault|fuzz|machines|man)_|^(install|example.*|exports)$|_legacy$|"
+         r"^test_(joint_orders.*|yield|reproduce)$")
 
 # Where a folder's mistakes show first; the tests of the file's own name go before these, all others after them.
 FIRST = {
@@ -50,22 +51,28 @@ FIRST = {
     "src/armtol": ("golden", "test_answer", "test_armtol", "test_lists", "test_arm_file", "test_urdf", "test_watched"),
 }
 OWN = {
-    "optimum": "test_optimum", "center": "test_optimum", "factor": "test_optimum", "rows": "test_optimum", "arm": "test_arm|test_every_arm", "intelledex": "test_robots",
+    "optimum": "test_optimum", "center": "test_optimum", "factor": "test_optimum", "rows": "test_optimum",
+    "arm": "test_arm|test_every_arm", "intelledex": "test_robots",
     "adept": "test_robots", "pose": "test_poses|test_tool_matrix", "sampler": "test_sampler",
     "sphere": "test_sphere", "corners": "test_corners", "tool_matrix": "test_tool_matrix",
-    "lane": "test_poses", "sincos": "test_sampler|test_poses", "columns": "test_poses", "kernels": "test_poses|test_sampler",
+    "lane": "test_poses", "sincos": "test_sampler|test_poses", "columns": "test_poses",
+    "kernels": "test_poses|test_sampler",
     "frame": "test_sampler", "rotation": "test_sampler",
     "outfile": "test_files|test_faults|test_full_disk", "options": "test_options", "flags": "test_flags|test_options",
     "number": "test_number", "whole_number": "test_number|test_armtol", "dialogue": "test_terminal|test_wrong_input",
     "reader": "test_wrong_input|test_terminal", "session": "test_files", "report": "test_files", "help": "test_options",
     "analysis": "test_published|test_files", "table": "test_table", "message": "test_wrong_input",
-    "pose_lists": "test_lists", "parameter_lists": "test_lists", "cells": "test_lists|test_arm_file", "urdf": "test_urdf|test_urdf_memory",
-    "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "draw": "test_verification", "weights": "test_answer",
+    "pose_lists": "test_lists", "parameter_lists": "test_lists", "cells": "test_lists|test_arm_file",
+    "urdf": "test_urdf|test_urdf_memory",
+    "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "draw": "test_verification",
+    "weights": "test_answer",
     "budget": "test_budget", "parts": "test_answer|test_question", "json": "armtol_json",
     "number_list": "test_number_list", "text": "test_armtol|test_arm_file", "tell": "test_armtol",
     "ask": "test_armtol", "degrees": "test_degrees", "progress": "test_progress|test_watched",
-    "answer": "test_question|test_answer", "check": "test_question", "find": "test_question|test_answer", "place": "test_question",
-    "climb": "test_verification", "corner_search": "test_verification", "tally": "test_tally", "share_interval": "test_verification",
+    "answer": "test_question|test_answer", "check": "test_question", "find": "test_question|test_answer",
+    "place": "test_question",
+    "climb": "test_verification", "corner_search": "test_verification", "tally": "test_tally",
+    "share_interval": "test_verification",
     "interrupt": "test_watched", "watched": "test_watched",
 }
 
@@ -98,7 +105,8 @@ def mutants_of(root, name):
     devnull = open(os.devnull, "w")
     stdout, sys.stdout = sys.stdout, devnull
     try:
-        found = mutator.mutants_regexp(lines, ruleFiles=["universal.rules", "c.rules", "c_like.rules"], ignorePatterns=[],
+        rules = ["universal.rules", "c.rules", "c_like.rules"]
+        found = mutator.mutants_regexp(lines, ruleFiles=rules, ignorePatterns=[],
                                        ignoreStringOnly=True)
     finally:
         sys.stdout = stdout

@@ -6,7 +6,8 @@
 
 /*
  * The arm of the command line: a built-in one of that name, else a file, which is a URDF where it begins with '<' and
- * else a table; the program xacro expands one that ends in .xacro, or where --xacro says so. EXIT_OK, or an exit code after a message.
+ * else a table; the program xacro expands one that ends in .xacro, or where --xacro says so. EXIT_OK, or an exit code
+ * after a message.
  */
 int arm_source_read(const cli_options *options, arm_model *model);
 

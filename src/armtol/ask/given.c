@@ -157,12 +157,14 @@ static bool take_drive(const named_item *item, void *context)
     double value;
     bool any = false;
     if (column > COLUMN_BITS) {
-        message("--drives: unknown name %s; expected backlash, compliance, moment, resolution, friction, stiffness or bits, "
+        message("--drives: unknown name %s; expected backlash, compliance, moment, resolution, friction, stiffness or "
+                "bits, "
                 "or one of these of a link, as in 3.backlash",
                 message_quote(item->whole, &(quoted){""}));
         return false;
     }
-    if (!named_is(item, "=", "NAME=NUMBER") || !take_size(item, item->value, &value) || !check_value(item, column, value)) {
+    if (!named_is(item, "=", "NAME=NUMBER") || !take_size(item, item->value, &value) ||
+        !check_value(item, column, value)) {
         return false;
     }
     for (size_t i = 0; i < driven->arm->n_links; i++) {

@@ -7,16 +7,19 @@
 #include <stdbool.h>
 
 /*
- * The argument of --given, NULL where there is none: NAME=NUMBER, NAME=LEAST..LARGEST, NAME>=LEAST, NAME<=LARGEST, with the
- * names of --weights, in the user's units; one range a column, 0 to infinity where nothing is said. What is said later
- * holds. False after a message.
+ * The argument of --given, NULL where there is none: NAME=NUMBER, NAME=LEAST..LARGEST, NAME>=LEAST, NAME<=LARGEST, with
+ * the names of --weights, in the user's units; one range a column, 0 to infinity where nothing is said. What is said
+ * later holds. False after a message.
  */
 bool given_parse(const char *text, const named_columns *of, const units *units, double least[], double largest[]);
 
 /* The list of --tolerances: NAME=NUMBER, 0 for what is not named. */
 bool given_tolerances_parse(const char *text, const named_columns *of, const units *units, double tolerances[]);
 
-/* The argument of --drives, NULL where there is none: NAME=NUMBER, where NAME is a column of an arm's table (backlash, 2.compliance). */
+/*
+ * The argument of --drives, NULL where there is none: NAME=NUMBER, where NAME is a column of an arm's table (backlash,
+ * 2.compliance).
+ */
 bool given_drives_parse(const char *text, const armtol_arm *arm, const units *units, armtol_drive drives[]);
 
 #endif

@@ -73,7 +73,8 @@ int nothing_left(const request *request, size_t row)
 {
     armtol_answer *answer = NULL;
     armtol_budget *budget = NULL;
-    if (ask_for_the_known(request, row / 6, &answer) != ARMTOL_OK || armtol_budget_create(answer, &budget) != ARMTOL_OK) {
+    if (ask_for_the_known(request, row / 6, &answer) != ARMTOL_OK ||
+        armtol_budget_create(answer, &budget) != ARMTOL_OK) {
         armtol_answer_destroy(answer);
         out_of_memory();
         return EXIT_FAILED;

@@ -4,8 +4,8 @@
 #include "armtol/ask/request.h"
 
 /*
- * The message of a wish for which drives and given tolerances leave nothing: by how much, where, and which sources make it
- * up. row is that of the engine's fault. An exit code.
+ * The message of a wish for which drives and given tolerances leave nothing: by how much, where, and which sources make
+ * it up. row is that of the engine's fault. An exit code.
  */
 int nothing_left(const request *request, size_t row);
 

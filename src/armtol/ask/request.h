@@ -31,8 +31,8 @@ void request_free(request *request);
 int request_answer(const request *request, armtol_answer **answer);
 
 /*
- * The message of what the engine could not do, and an exit code: what has no tolerances, a delta too large say, is wrong
- * input; that none are found is not.
+ * The message of what the engine could not do, and an exit code: what has no tolerances, a delta too large say, is
+ * wrong input; that none are found is not.
  */
 int request_failed(const request *request, const armtol_fault *fault);
 

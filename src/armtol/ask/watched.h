@@ -5,8 +5,8 @@
 
 /*
  * armtol_verify with somebody who waits for it: a progress bar on standard error where that is a terminal and the
- * drawing takes longer than a second; an interrupt (SIGINT) ends the work, not the program, and a second one the program.
- * progress and context of the draw are not looked at.
+ * drawing takes longer than a second; an interrupt (SIGINT) ends the work, not the program, and a second one the
+ * program. progress and context of the draw are not looked at.
  */
 armtol_status watched_verify(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found,
                              armtol_fault *fault);

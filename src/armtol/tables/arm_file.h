@@ -13,8 +13,8 @@
 bool arm_file_read(FILE *stream, const char *path, arm_model *model);
 
 /*
- * The arm in that form, so that reading it gives the same arm to the bit, in either order. False after a message: memory is
- * short, and only Craig's order needs any.
+ * The arm in that form, so that reading it gives the same arm to the bit, in either order. False after a message:
+ * memory is short, and only Craig's order needs any.
  */
 bool arm_file_write(const armtol_arm *arm, row_order order, angle_unit angle_unit, FILE *stream);
 

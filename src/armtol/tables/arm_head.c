@@ -120,7 +120,8 @@ static bool take_unit(arm_head *head, const char *word, size_t length, found_uni
         const char *name;
         bool is_length;
         int value;
-    } units[] = {{"mm", true, ARMTOL_MILLIMETRE}, {"m", true, ARMTOL_METRE}, {"in", true, ARMTOL_INCH}, {"deg", false, UNIT_DEGREE},
+    } units[] = {{"mm", true, ARMTOL_MILLIMETRE}, {"m", true, ARMTOL_METRE}, {"in", true, ARMTOL_INCH},
+                 {"deg", false, UNIT_DEGREE},
                  {"rad", false, UNIT_RADIAN}};
     for (size_t i = 0; i < sizeof units / sizeof units[0]; i++) {
         if (strncasecmp(units[i].name, word, length) == 0 && units[i].name[length] == '\0') {
@@ -186,8 +187,9 @@ static bool set_order(arm_head *head, const cell_row *row, size_t first, const c
             return head->has_order = true;
         }
     }
-    cells_message(row, first, "unknown order %s; expected paul (standard: a row has a and alpha of its own link, often 0 in "
-                              "the last row) or craig (modified: of the link before, often 0 in the first row)",
+    cells_message(row, first,
+                  "unknown order %s; expected paul (standard: a row has a and alpha of its own link, often 0 in "
+                  "the last row) or craig (modified: of the link before, often 0 in the first row)",
                   message_quote(word, &(quoted){""}));
     return false;
 }

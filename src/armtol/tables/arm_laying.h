@@ -6,8 +6,8 @@
 #include <stdbool.h>
 
 /*
- * Lay the frames of an arm anew along its axes, by armtol_links_of_axes, and say in model->laying what was done. Joints keep
- * their values and drives. False, after a message, where memory is short; the model is then as it was.
+ * Lay the frames of an arm anew along its axes, by armtol_links_of_axes, and say in model->laying what was done. Joints
+ * keep their values and drives. False, after a message, where memory is short; the model is then as it was.
  */
 
 /* With what is nearly exact taken for exact. Nothing changes where nothing is. */

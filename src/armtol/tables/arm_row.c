@@ -119,7 +119,8 @@ static bool read_expression(row_reader *reader, arm_column column, size_t place,
     return fine || wrong_number(reader, column, place, "has pi in it, and the table is in degrees");
 }
 
-static bool read_plain(const row_reader *reader, arm_column column, size_t place, number_fault fault, cell_number *number)
+static bool read_plain(const row_reader *reader, arm_column column, size_t place, number_fault fault,
+                       cell_number *number)
 {
     if (fault == NUMBER_NOT_FINITE && is_endless(column, number->text, &number->value)) {
         fault = NUMBER_FINE;
@@ -153,7 +154,8 @@ static bool read_number(row_reader *reader, arm_column column, size_t place)
     if (column == COLUMN_SIGN && number.value != 1 && number.value != -1) {
         return wrong_number(reader, column, place, "is neither 1 nor -1");
     }
-    if ((column == COLUMN_BITS || column == COLUMN_STIFFNESS) && !check_other_word(reader, column, place, number.value)) {
+    if ((column == COLUMN_BITS || column == COLUMN_STIFFNESS) &&
+        !check_other_word(reader, column, place, number.value)) {
         return false;
     }
     *arm_column_number(column, &reader->entry) = number.value;
@@ -199,8 +201,8 @@ static bool read_cell(row_reader *reader, arm_column column)
 /* ---- the row as a whole ---- */
 
 /*
- * The number was fine in degrees, and is read once more: with one rounding from the text to radians. Of an expression the
- * text is that of its value.
+ * The number was fine in degrees, and is read once more: with one rounding from the text to radians. Of an expression
+ * the text is that of its value.
  */
 static void convert(row_reader *reader, arm_column column)
 {
@@ -240,7 +242,10 @@ static bool check_kind(const row_reader *reader)
     return true;
 }
 
-/* What is said of a motion or drive that is not there, or that would count for nothing, is a mistake elsewhere in the row. */
+/*
+ * What is said of a motion or drive that is not there, or that would count for nothing, is a mistake elsewhere in the
+ * row.
+ */
 static bool check_fixed(const row_reader *reader)
 {
     const bool fixed = reader->entry.link.joint == ARMTOL_FIXED;
@@ -337,8 +342,8 @@ static bool check_row(const row_reader *reader)
            check_drive(reader) && check_mass(reader);
 }
 
-bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, size_t index, arm_entry *entry,
-                  file_place *couple)
+bool arm_row_read(const cell_row *cells, const arm_columns *columns, angle_unit angle_unit, size_t index,
+                  arm_entry *entry, file_place *couple)
 {
     row_reader reader = {
         .cells = cells,

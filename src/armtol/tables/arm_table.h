@@ -42,7 +42,9 @@ const char *arm_column_name(arm_column column);
 /* Whether a table may do without it, or without a value in it. */
 bool arm_column_is_optional(arm_column column);
 
-/* Whether it is about how a joint moves, about its drive, or about the mass of a link. A fixed link has only the last. */
+/*
+ * Whether it is about how a joint moves, about its drive, or about the mass of a link. A fixed link has only the last.
+ */
 bool arm_column_is_motion(arm_column column);
 bool arm_column_is_drive(arm_column column);
 bool arm_column_is_mass(arm_column column);
@@ -67,8 +69,8 @@ double *arm_column_number(arm_column column, arm_entry *entry);
 arm_entry arm_entry_of(const armtol_arm *arm, size_t link);
 
 /*
- * Turns stiffness and bits, where they are not 0, into compliance and resolution: its inverse, and the step of an encoder
- * of 2^bits steps a turn. The stiffness is in N m a radian, or N a length.
+ * Turns stiffness and bits, where they are not 0, into compliance and resolution: its inverse, and the step of an
+ * encoder of 2^bits steps a turn. The stiffness is in N m a radian, or N a length.
  */
 void arm_entry_settle(arm_entry *entry);
 

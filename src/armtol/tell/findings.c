@@ -9,7 +9,8 @@ parameter_row findings_parameter(const findings *findings, size_t column)
     const armtol_answer *answer = findings->answer;
     const units *units = &findings->request->units;
     const armtol_column *at = &answer->columns[column];
-    armtol_link link = findings->request->question.n_poses == 1 ? answer->links[at->link] : findings->request->question.arm->links[at->link];
+    armtol_link link = findings->request->question.n_poses == 1 ? answer->links[at->link]
+                                                                : findings->request->question.arm->links[at->link];
     const bool is_length = armtol_parameter_is_length(at->parameter);
     return (parameter_row){
         .link = at->link,

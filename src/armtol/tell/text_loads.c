@@ -57,7 +57,8 @@ bool text_loads(const findings *findings)
     for (; pose < n_poses && (pose == 0 || (pose + 1) * (n_loads + 1) <= MOST_ROWS); pose++) {
         add_pose(&table, findings, pose);
     }
-    const bool fine = table_finish(&table, "Where loads take the tool, by the exact kinematics", NULL, FORMAT_TEXT, stdout);
+    const bool fine =
+        table_finish(&table, "Where loads take the tool, by the exact kinematics", NULL, FORMAT_TEXT, stdout);
     if (fine && pose < n_poses) {
         printf("  and %zu more poses (--json has all)\n", n_poses - pose);
     }

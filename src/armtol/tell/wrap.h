@@ -6,8 +6,8 @@
 #include <stdio.h>
 
 /*
- * Prose for people: lines break between words, at 80 columns. Words are set apart by single blanks; one that is longer than
- * a line stays whole.
+ * Prose for people: lines break between words, at 80 columns. Words are set apart by single blanks; one that is longer
+ * than a line stays whole.
  */
 typedef struct wrap {
     FILE *stream;

@@ -138,8 +138,8 @@ static bool make_links(const urdf_tree *tree, const urdf_chain *chain, parts *pa
         return no_arm(tree, chain, "none of them moves");
     }
     size_t n_snapped;
-    const armtol_status status =
-        armtol_links_of_axes(parts->axes, parts->n_axes, &parts->tip, 0, parts->links, &parts->n_links, NULL, &n_snapped);
+    const armtol_status status = armtol_links_of_axes(parts->axes, parts->n_axes, &parts->tip, 0, parts->links,
+                                                      &parts->n_links, NULL, &n_snapped);
     if (status != ARMTOL_OK) {
         return no_arm(tree, chain, armtol_status_text(status));
     }

@@ -33,8 +33,9 @@ const char *urdf_attribute(const urdf_element *element, const char *attribute)
 bool urdf_is_expanded(const urdf_element *element, const char *value)
 {
     const bool expanded = strstr(value, "${") == NULL && strstr(value, "$(") == NULL;
-    return expanded || urdf_element_fault(element, "<%.40s> holds %s, which is xacro; expand the file with xacro first, or "
-                                                   "say --xacro",
+    return expanded || urdf_element_fault(element,
+                                          "<%.40s> holds %s, which is xacro; expand the file with xacro first, or "
+                                          "say --xacro",
                                           element->name, message_quote(value, &(quoted){""}));
 }
 
@@ -64,8 +65,8 @@ static bool next_word(const char **text, char word[], size_t room)
 static bool wrong_number(const urdf_element *element, const char *attribute, const char *word,
                          number_fault fault)
 {
-    return urdf_element_fault(element, "%s of <%.40s>: %s %s", attribute, element->name, message_quote(word, &(quoted){""}),
-                              number_fault_text(fault));
+    return urdf_element_fault(element, "%s of <%.40s>: %s %s", attribute, element->name,
+                              message_quote(word, &(quoted){""}), number_fault_text(fault));
 }
 
 static bool wrong_count(const urdf_element *element, const char *attribute, size_t count, const char *value)

@@ -154,7 +154,10 @@ static void say_leaves(const urdf_tree *tree, const leaf_list *list, size_t n)
     message("%s has several links at the end; choose the tool's with --tip: %s", tree->path, list_text(&names));
 }
 
-/* What no joint moves is no tool: a camera on the base, a frame for reference. Where nothing moves any of them is as good. */
+/*
+ * What no joint moves is no tool: a camera on the base, a frame for reference. Where nothing moves any of them is as
+ * good.
+ */
 static bool choose_leaf(const urdf_tree *tree, leaf_list *list, size_t *tip)
 {
     size_t n = 0;

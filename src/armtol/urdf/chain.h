@@ -7,8 +7,8 @@
 #include <stddef.h>
 
 /*
- * The joints on the way from one link to another: up to the link from which both hang, where that is not the first of them,
- * then down.
+ * The joints on the way from one link to another: up to the link from which both hang, where that is not the first of
+ * them, then down.
  */
 typedef struct urdf_chain {
     size_t base, tip; /* links */
@@ -18,8 +18,8 @@ typedef struct urdf_chain {
 } urdf_chain;
 
 /*
- * In a tree that is connected. NULL for base: the only root; NULL for tip: the only leaf that a joint moves, below the base.
- * False after a message; there is then nothing to be freed.
+ * In a tree that is connected. NULL for base: the only root; NULL for tip: the only leaf that a joint moves, below the
+ * base. False after a message; there is then nothing to be freed.
  */
 bool urdf_chain_find(const urdf_tree *tree, const char *base, const char *tip, urdf_chain *chain);
 void urdf_chain_free(urdf_chain *chain);

@@ -77,7 +77,8 @@ static void warn_of_angles(const urdf_tree *tree, const urdf_chain *chain)
         const urdf_joint *const joint = joint_at(tree, chain, i);
         for (int k = 0; k < 3; k++) {
             if (fabs(joint->rpy[k]) > 2 * PI + 1e-3) {
-                file_message(&joint->place, "warning: joint %s has %g in its rpy; are these degrees? A URDF has radians",
+                file_message(&joint->place,
+                             "warning: joint %s has %g in its rpy; are these degrees? A URDF has radians",
                              message_quote(joint->name, &(quoted){""}), joint->rpy[k]);
                 return;
             }

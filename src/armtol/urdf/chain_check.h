@@ -6,8 +6,8 @@
 #include <stdbool.h>
 
 /*
- * Whether the joints of a chain are fit for an arm: a fault of one of them matters now, and none may be planar or floating.
- * False after a message.
+ * Whether the joints of a chain are fit for an arm: a fault of one of them matters now, and none may be planar or
+ * floating. False after a message.
  */
 bool urdf_chain_check(const urdf_tree *tree, const urdf_chain *chain);
 

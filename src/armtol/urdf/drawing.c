@@ -100,7 +100,9 @@ static void write_link(const drawing *drawing, size_t link, size_t depth)
 
 /* ---- the tree ---- */
 
-/* The joint after a link that has nothing more below it: beside it, or beside one above it. *depth is then its child's. */
+/*
+ * The joint after a link that has nothing more below it: beside it, or beside one above it. *depth is then its child's.
+ */
 static size_t joint_after(const drawing *drawing, size_t link, size_t *depth)
 {
     const urdf_tree *tree = drawing->tree;

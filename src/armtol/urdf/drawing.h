@@ -13,8 +13,8 @@ typedef struct urdf_units {
 } urdf_units;
 
 /*
- * The links of a connected tree, each one indented below the one that it hangs from, with its joint, the joint's type, its
- * limits and what it follows. False after a message.
+ * The links of a connected tree, each one indented below the one that it hangs from, with its joint, the joint's type,
+ * its limits and what it follows. False after a message.
  */
 bool urdf_tree_draw(const urdf_tree *tree, const urdf_units *units, FILE *stream);
 

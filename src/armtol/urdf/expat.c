@@ -32,7 +32,8 @@ static bool read_origin(const urdf_element *element, urdf_joint *joint)
     if (joint->has_quaternion && urdf_attribute(element, "rpy") != NULL) {
         return urdf_element_fault(element, "<origin> has both rpy and quat_xyzw; expected one of them");
     }
-    if (!urdf_attribute_numbers(element, "xyz", 3, joint->xyz) || !urdf_attribute_numbers(element, "rpy", 3, joint->rpy) ||
+    if (!urdf_attribute_numbers(element, "xyz", 3, joint->xyz) ||
+        !urdf_attribute_numbers(element, "rpy", 3, joint->rpy) ||
         !urdf_attribute_numbers(element, "quat_xyzw", 4, joint->quaternion)) {
         return false;
     }
@@ -246,7 +247,8 @@ static bool end_link(const parser *parser)
 {
     const urdf_link *const link = &parser->tree->links[parser->tree->n_links - 1];
     if (parser->has_inertial && !parser->has_mass) {
-        file_message(&link->place, "link %s has an <inertial> without a <mass>", message_quote(link->name, &(quoted){""}));
+        file_message(&link->place, "link %s has an <inertial> without a <mass>",
+                     message_quote(link->name, &(quoted){""}));
         return false;
     }
     return true;
@@ -274,7 +276,8 @@ static bool begin_robot(parser *parser, const urdf_element *element)
                      message_quote(element->name, &(quoted){""}));
         return false;
     }
-    return urdf_attribute_text(element, "name", &name) ? urdf_tree_keep(&parser->tree->robot, name) : say_fault(element);
+    return urdf_attribute_text(element, "name", &name) ? urdf_tree_keep(&parser->tree->robot, name)
+                                                       : say_fault(element);
 }
 
 static bool begin_link(parser *parser, const urdf_element *element)

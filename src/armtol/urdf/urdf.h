@@ -10,8 +10,8 @@
 /*
  * The chain from link base to link tip of a robot in Unified Robot Description Format, by the rules of
  * armtol/axes.h; docs/urdf.md describes what is read. NULL for base: the root of the tree; NULL for tip: the
- * only leaf below the base that a joint moves. Metres, shown in radians; joint limits are in the drives. path is for messages
- * ("FILE:LINE:COLUMN: ..."). False after a message; *model then holds nothing.
+ * only leaf below the base that a joint moves. Metres, shown in radians; joint limits are in the drives. path is for
+ * messages ("FILE:LINE:COLUMN: ..."). False after a message; *model then holds nothing.
  * Without the XML library that reads it (urdf_is_built_in false) every call ends with a message that says how
  * to get it.
  */

@@ -32,7 +32,8 @@ bool armtol_drive_is_known(const armtol_drive *drive)
     return !isnan(drive->backlash) || drive->compliance != 0 || drive->resolution != 0;
 }
 
-armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt, double compensated)
+armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt,
+                                              double compensated)
 {
     const double play = isnan(drive->backlash) ? 0 : drive->backlash;
     const double least = fabs(moment) - doubt;

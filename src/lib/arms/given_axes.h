@@ -37,8 +37,8 @@ double axis_distance_from_place(const given_axes *given, size_t axis);
 axis_line axis_line_seen(const armtol_transform *frame, const axis_line *in_base);
 
 /*
- * Note 2 of axes.h: whether the common perpendicular of z and a line lies near. The line is seen from z's frame; joint is
- * the one about z, axis the line's number.
+ * Note 2 of axes.h: whether the common perpendicular of z and a line lies near. The line is seen from z's frame; joint
+ * is the one about z, axis the line's number.
  */
 bool axis_is_crossing(const given_axes *given, armtol_joint joint, size_t axis, const axis_line *line);
 

@@ -93,8 +93,8 @@ static armtol_status solve_q6(const armtol_transform *t06, const armtol_errata *
 }
 
 /*
- * Joints 1 and 2 bring the common axis of joints 3, 4 and 5 to the z axis of frame 5. Where that is upright joint 1 turns
- * about it too, and any q1 will do.
+ * Joints 1 and 2 bring the common axis of joints 3, 4 and 5 to the z axis of frame 5. Where that is upright joint 1
+ * turns about it too, and any q1 will do.
  */
 static void solve_q1_q2(const armtol_transform *t05, const armtol_errata *errata, double q[])
 {

@@ -69,7 +69,8 @@ armtol_status armtol_arm_check(const armtol_arm *arm)
     return status;
 }
 
-static armtol_status place_link(const armtol_arm *arm, const double q[], size_t link, size_t *joint, armtol_link *placed)
+static armtol_status place_link(const armtol_arm *arm, const double q[], size_t link, size_t *joint,
+                                armtol_link *placed)
 {
     const double sign = arm->motions != NULL ? arm->motions[link].sign : 1;
     const double moved = sign * value_of(arm, q, link, joint);

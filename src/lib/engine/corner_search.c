@@ -21,8 +21,8 @@ static double magnitude(const double error[6], const void *component)
 static double climb(const search *search)
 {
     const armtol_answer *answer = search->answer;
-    return armtol_climb(search->links, answer->n_links, &answer->tool, search->shifts, search->bounded, answer->n_columns,
-                        magnitude, &search->component, search->errors);
+    return armtol_climb(search->links, answer->n_links, &answer->tool, search->shifts, search->bounded,
+                        answer->n_columns, magnitude, &search->component, search->errors);
 }
 
 /* What is as meant is put off: it may take two such errors to do something. False where none is as meant. */
@@ -85,7 +85,8 @@ static bool search_pose(const armtol_answer *answer, const armtol_draw *draw, si
     return true;
 }
 
-bool search_corners(const armtol_answer *answer, const armtol_draw *draw, double errors[], armtol_verified components[6])
+bool search_corners(const armtol_answer *answer, const armtol_draw *draw, double errors[],
+                    armtol_verified components[6])
 {
     bool all = true;
     for (size_t pose = 0; pose < answer->n_poses && all; pose++) {

@@ -92,7 +92,8 @@ static void run_first_worker(worker *worker)
     uint64_t first, count;
     while (take_block(worker->work, &first, &count)) {
         draw_block(worker, first, count);
-        if (draw->progress != NULL && !draw->progress(draw->context, first + count - worker->work->begin, draw->samples)) {
+        if (draw->progress != NULL &&
+            !draw->progress(draw->context, first + count - worker->work->begin, draw->samples)) {
             stop(worker->work);
         }
     }
@@ -229,8 +230,8 @@ static armtol_status draw_with(const armtol_answer *answer, const armtol_draw *d
     return status;
 }
 
-armtol_status draw_arms(const armtol_answer *answer, const armtol_draw *draw, uint64_t first, const tally_limits *limits,
-                        tally *tally)
+armtol_status draw_arms(const armtol_answer *answer, const armtol_draw *draw, uint64_t first,
+                        const tally_limits *limits, tally *tally)
 {
     armtol_sampler *samplers = calloc(answer->n_poses, sizeof *samplers);
     armtol_sampled_link *links = calloc(answer->n_poses, answer->n_links * sizeof *links);

@@ -27,8 +27,8 @@ static bool is_size(double value)
 
 static bool is_drive(const armtol_drive *drive)
 {
-    return (isnan(drive->backlash) || is_size(drive->backlash)) && is_size(drive->compliance) && is_size(drive->moment) &&
-           is_size(drive->resolution) && is_size(drive->friction);
+    return (isnan(drive->backlash) || is_size(drive->backlash)) && is_size(drive->compliance) &&
+           is_size(drive->moment) && is_size(drive->resolution) && is_size(drive->friction);
 }
 
 /* Something that can bear on a joint beside what its drive's `moment` says. */
@@ -112,7 +112,8 @@ static armtol_status find_moments(armtol_answer *answer, const armtol_question *
 }
 
 /* A typed moment says the most that bears on a joint, in either sense, where the arm's masses do not say it. */
-static armtol_drive_offset offset_of(const armtol_answer *answer, const armtol_question *question, size_t pose, size_t link)
+static armtol_drive_offset offset_of(const armtol_answer *answer, const armtol_question *question, size_t pose,
+                                     size_t link)
 {
     const armtol_drive *drive = &question->arm->drives[link];
     const double doubt = question->arm->masses == NULL ? drive->moment : 0;
@@ -176,7 +177,7 @@ void answer_find_droops(armtol_answer *answer)
 {
     for (size_t pose = 0; pose < answer->n_poses && answer->loaded; pose++) {
         armtol_tool_error(armtol_answer_links(answer, pose), answer->n_links, armtol_answer_shifts(answer, pose),
-                          answer->n_columns, &answer->tool, answer->droops + 6 * pose); /* the links are known to be fine */
+                          answer->n_columns, &answer->tool, answer->droops + 6 * pose);
     }
 }
 

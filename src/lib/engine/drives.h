@@ -12,8 +12,8 @@ size_t question_load_count(const armtol_question *question);
 armtol_fault question_check_drives(const armtol_question *question);
 
 /*
- * What the drives of a placed answer make of their motors, Eq. (4.20), in every pose and load: moments, shifts, and the half
- * widths, in `bounded`; `given` and the largest in `tolerances`. Moments alone where the question leaves the
+ * What the drives of a placed answer make of their motors, Eq. (4.20), in every pose and load: moments, shifts, and the
+ * half widths, in `bounded`; `given` and the largest in `tolerances`. Moments alone where the question leaves the
  * drives apart.
  */
 armtol_fault answer_take_drives(armtol_answer *answer, const armtol_question *question);

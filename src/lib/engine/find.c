@@ -13,11 +13,14 @@
 
 /* ---- what is left beside what is given ---- */
 
-/* The columns that are asked for, and A, limits and weights for them alone: `extra` rows more than A has, a column's each. */
+/*
+ * The columns that are asked for, and A, limits and weights for them alone: `extra` rows more than A has, a column's
+ * each.
+ */
 typedef struct rows {
     size_t n_free, n_rows, n_extra;
     bool *pinned;          /* a column of A: held at its least for now, as if that were given */
-    double *pulls;         /* a column of A: what the rows take of it at the optimum, as a part of what its weight is worth */
+    double *pulls;         /* a column of A: what rows take of it at the optimum, as a part of its weight's worth */
     size_t *free_columns;  /* n_free: their places in A */
     armtol_column *columns; /* n_free */
     double *matrix;        /* (n_rows + n_extra) x n_free */
@@ -72,8 +75,9 @@ static bool get_rows(rows *rows, const armtol_answer *answer, const armtol_quest
     rows->multipliers = get(all, sizeof *rows->multipliers);
     rows->weights = get(rows->n_free, sizeof *rows->weights);
     rows->tolerances = get(rows->n_free, sizeof *rows->tolerances);
-    return rows->pinned != NULL && rows->pulls != NULL && rows->free_columns != NULL && rows->columns != NULL && rows->matrix != NULL && rows->limits != NULL &&
-           rows->multipliers != NULL && rows->weights != NULL && rows->tolerances != NULL;
+    return rows->pinned != NULL && rows->pulls != NULL && rows->free_columns != NULL && rows->columns != NULL &&
+           rows->matrix != NULL && rows->limits != NULL && rows->multipliers != NULL && rows->weights != NULL &&
+           rows->tolerances != NULL;
 }
 
 /* A row that sees the column alone, in the place of `extra`. */
@@ -144,8 +148,8 @@ static bool is_asked(const rows *rows, size_t row)
 }
 
 /*
- * The limits of the accuracy. A row in which nothing is asked for may be used up by what is given, and to its last digit;
- * rounding apart, no row may by more. The fault is of the row of which least is left.
+ * The limits of the accuracy. A row in which nothing is asked for may be used up by what is given, and to its last
+ * digit; rounding apart, no row may by more. The fault is of the row of which least is left.
  */
 static armtol_fault pack_limits(rows *rows, const armtol_answer *answer, const armtol_question *question)
 {
@@ -188,8 +192,8 @@ static armtol_status optimise_free(const armtol_question *question, const rows *
         return ARMTOL_NO_MEMORY;
     }
     const armtol_status status =
-        armtol_optimum(is_rss(question) ? ARMTOL_ROOT_SUM_SQUARES : ARMTOL_WORST_CASE, rows->matrix, n_rows, rows->n_free,
-                       rows->limits, rows->weights, rows->tolerances, rows->multipliers, workspace);
+        armtol_optimum(is_rss(question) ? ARMTOL_ROOT_SUM_SQUARES : ARMTOL_WORST_CASE, rows->matrix, n_rows,
+                       rows->n_free, rows->limits, rows->weights, rows->tolerances, rows->multipliers, workspace);
     free(workspace);
     return status;
 }
@@ -337,7 +341,8 @@ static armtol_status share_sphere(armtol_answer *answer, const armtol_question *
                                      &answer->delta);
     }
     if (status == ARMTOL_OK) {
-        status = armtol_sphere_bounds(rows->matrix, answer->n_poses, n, rows->columns, limits, answer->delta, &answer->bounds);
+        status = armtol_sphere_bounds(rows->matrix, answer->n_poses, n, rows->columns, limits, answer->delta,
+                                      &answer->bounds);
     }
     if (status == ARMTOL_OK) {
         armtol_sphere_tolerances(rows->columns, n, &answer->bounds, rows->tolerances);
@@ -349,7 +354,8 @@ static bool has_range(const armtol_answer *answer, const armtol_question *questi
 {
     bool any = false;
     for (size_t k = 0; k < answer->n_columns; k++) {
-        any = any || (!answer->given[k] && (isfinite(question_largest(question, k)) || question_least(question, k) > 0));
+        const bool ranged = isfinite(question_largest(question, k)) || question_least(question, k) > 0;
+        any = any || (!answer->given[k] && ranged);
     }
     return any;
 }

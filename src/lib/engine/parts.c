@@ -31,8 +31,8 @@ static double or_exact(double tolerance)
 }
 
 /*
- * The distance between the link's axis and the next: of parallel axes it is |a|, so that a d which is no error source is
- * none of it. The axis of a slide is a direction without a place, and has no distance.
+ * The distance between the link's axis and the next: of parallel axes it is |a|, so that a d which is no error source
+ * is none of it. The axis of a slide is a direction without a place, and has no distance.
  */
 static double distance_of(const armtol_link *link, const link_tolerances *tolerances)
 {

@@ -4,7 +4,9 @@
 #include "armtol/answer.h"
 #include "lib/private_names.h"
 
-/* Columns, placed links and A of every pose, of a question that was checked. Memory is the answer's, also in a failure. */
+/*
+ * Columns, placed links and A of every pose, of a question that was checked. Memory is the answer's, also in a failure.
+ */
 armtol_fault answer_place(armtol_answer *answer, const armtol_question *question);
 
 #endif

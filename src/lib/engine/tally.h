@@ -9,8 +9,8 @@
 /* What becomes of arms drawn: counts, so that tallies of parts add up to the same whatever the parts. */
 
 /*
- * The histogram's bins have a fixed relative width, as those of HdrHistogram: the exponent of a double and its first bits
- * are the number of its bin. The last is that of the range, the first has all that is below.
+ * The histogram's bins have a fixed relative width, as those of HdrHistogram: the exponent of a double and its first
+ * bits are the number of its bin. The last is that of the range, the first has all that is below.
  */
 enum {
     TALLY_BITS = 10,    /* a bin is no wider than 2^-10 of what is in it */
@@ -46,7 +46,8 @@ void tally_merge(tally *into, const tally *part);
 
 /*
  * The magnitude that this many thousandths of the arms do not exceed, rounded up to the end of a bin: by no more than
- * 2^-TALLY_BITS of it, or to 2^-63 of the range where that is more, and never above the worst. 0 where no arm was drawn.
+ * 2^-TALLY_BITS of it, or to 2^-63 of the range where that is more, and never above the worst. 0 where no arm was
+ * drawn.
  */
 double tally_quantile(const tally *tally, const tally_limits *limits, size_t component, unsigned thousandths);
 

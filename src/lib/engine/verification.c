@@ -43,8 +43,8 @@ static double reach_of(const armtol_answer *answer)
 }
 
 /*
- * No arm's magnitude is larger; nor is it more than twice what the arm reaches, or for a rotation vector half a turn: where
- * the remainder is large, or infinite.
+ * No arm's magnitude is larger; nor is it more than twice what the arm reaches, or for a rotation vector half a turn:
+ * where the remainder is large, or infinite.
  */
 static double range_of(const armtol_answer *answer, size_t i)
 {
@@ -100,8 +100,8 @@ void verification_report(const armtol_answer *answer, const tally *tally, const 
     }
 }
 
-static armtol_status search_and_draw(const armtol_answer *answer, const armtol_draw *draw, double errors[], tally *tally,
-                                     armtol_verification *found)
+static armtol_status search_and_draw(const armtol_answer *answer, const armtol_draw *draw, double errors[],
+                                     tally *tally, armtol_verification *found)
 {
     armtol_draw arms = *draw;
     tally_limits limits;

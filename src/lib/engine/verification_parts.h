@@ -7,8 +7,9 @@
 #include "lib/private_names.h"
 
 /*
- * The steps of armtol_verify, for who draws the arms in parts: each part has its tally, from draw_arms and with the same
- * limits, and the sum of all tallies gives what armtol_verify gives, to the bit. Corners are apart (corner_search.h).
+ * The steps of armtol_verify, for who draws the arms in parts: each part has its tally, from draw_arms and with the
+ * same limits, and the sum of all tallies gives what armtol_verify gives, to the bit. Corners are apart
+ * (corner_search.h).
  */
 
 /* ARMTOL_UNBOUNDED, about the accuracy, as of armtol_verify; else about nothing. */

@@ -29,8 +29,8 @@ static double size_at(const slope *slope, const double errors[])
 }
 
 /*
- * A link in its chain: an error of it is tried between what comes before and what comes behind, in the same time however
- * long the chain is.
+ * A link in its chain: an error of it is tried between what comes before and what comes behind, in the same time
+ * however long the chain is.
  */
 typedef struct place {
     armtol_transform meant, before, behind;

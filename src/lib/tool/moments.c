@@ -90,7 +90,8 @@ static void step_back(armtol_transform *frame, const armtol_link *link, wrench *
     armtol_transform before = *frame;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
-            before.m[i][k] = frame->m[i][0] * step.m[k][0] + frame->m[i][1] * step.m[k][1] + frame->m[i][2] * step.m[k][2];
+            before.m[i][k] =
+                frame->m[i][0] * step.m[k][0] + frame->m[i][1] * step.m[k][1] + frame->m[i][2] * step.m[k][2];
         }
     }
     *frame = before;

@@ -9,9 +9,9 @@
 /* The errors of the tool of many arms (lanes.h). */
 
 /*
- * A draw, uniform in [-1, 1), from what splitmix64 has mixed: the upper 53 bits, over 2^52, less 1; exactly, and without
- * a conversion, which not every machine has for vectors: as the lowest bits of 1 and of 2^32 their lower 32 count 2^-52
- * each, the upper 21 2^-20.
+ * A draw, uniform in [-1, 1), from what splitmix64 has mixed: the upper 53 bits, over 2^52, less 1; exactly, and
+ * without a conversion, which not every machine has for vectors: as the lowest bits of 1 and of 2^32 their lower 32
+ * count 2^-52 each, the upper 21 2^-20.
  */
 LANE_INLINE void unit(const word *mixed, real *draw)
 {

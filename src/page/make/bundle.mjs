@@ -1,6 +1,6 @@
 /*
- * bundle.mjs ROOT BUILD: BUILD/page/index.html, one file with everything in it, of src/page, of BUILD/page/wasm (compile) and
- * of the packages in BUILD/page/npm. BUILD has the programs too: the exercises' references need them.
+ * bundle.mjs ROOT BUILD: BUILD/page/index.html, one file with everything in it, of src/page, of BUILD/page/wasm
+ * (compile) and of the packages in BUILD/page/npm. BUILD has the programs too: the exercises' references need them.
  */
 
 import { createHash } from 'node:crypto';
@@ -35,8 +35,10 @@ const inScript = (text) => text.replace(/<\/(script)/gi, '<\\/$1').replace(/<!--
 
 function licences() {
   const used = ['@xterm/xterm', 'three', 'marked'];
-  const texts = used.map((name) => [name, path.join(packages, name)])
-    .map(([name, folder]) => `${name}\n\n${read(folder, readdirSync(folder).find((file) => /^licen[cs]e/i.test(file)))}`);
+  const texts = used.map((name) => {
+    const folder = path.join(packages, name);
+    return `${name}\n\n${read(folder, readdirSync(folder).find((file) => /^licen[cs]e/i.test(file)))}`;
+  });
   const expat = `expat\n\n${read(out, 'expat/expat/COPYING')}`;
   return [`armtol\n\n${read(root, 'LICENSE')}`, ...texts, expat].join('\n\n').replace(/--+/g, '—');
 }
@@ -54,7 +56,8 @@ writeFileSync(path.join(out, 'page/pages.js'), bookModule(Marked, root, build));
 writeFileSync(path.join(out, 'page/worker.bundle'), bundle('worker.js', 'iife'));
 
 const script = inScript(bundle('main.js', 'esm'));
-const style = read(packages, '@xterm/xterm/css/xterm.css') + esbuild.transformSync(read(source, 'page.css'), { loader: 'css', minify: true }).code;
+const own = esbuild.transformSync(read(source, 'page.css'), { loader: 'css', minify: true }).code;
+const style = read(packages, '@xterm/xterm/css/xterm.css') + own;
 const version = /^project\(armtol VERSION ([0-9.]*)/m.exec(read(root, 'CMakeLists.txt'))[1];
 const filled = { POLICY: policyFor(script), STYLE: style, VERSION: version, SCRIPT: script, LICENCES: licences() };
 const html = read(source, 'page.html').replace(/@(POLICY|STYLE|VERSION|SCRIPT|LICENCES)@/g, (_, name) => filled[name]);

@@ -9,7 +9,8 @@ const order = ['index', 'report', 'reproduction', 'errata', 'residue', 'toleranc
 
 /* As the links to headings are written (tests/docs/links). */
 function slug(text) {
-  return text.replace(/<[^>]*>/g, '').replace(/&[a-z#0-9]+;/g, '').toLowerCase().replace(/[^a-z0-9 _-]/g, '').replace(/ /g, '-');
+  const plain = text.replace(/<[^>]*>/g, '').replace(/&[a-z#0-9]+;/g, '').toLowerCase();
+  return plain.replace(/[^a-z0-9 _-]/g, '').replace(/ /g, '-');
 }
 
 function imageOf(folder, href) {
@@ -52,7 +53,10 @@ function referenceOf(root, programs, number) {
   const environment = { ...process.env, PATH: `${programs}:${process.env.PATH}`, LC_ALL: 'C' };
   const text = execFileSync(file, { cwd: root, env: environment, encoding: 'utf8' });
   if (text.startsWith('#')) return null;
-  const wanted = text.trim().split('\n').map((line) => line.split(/\s+/)).map(([name, value, tolerance]) => ({ name, value, tolerance }));
+  const wanted = text.trim().split('\n').map((line) => {
+    const [name, value, tolerance] = line.split(/\s+/);
+    return { name, value, tolerance };
+  });
   return { number, wanted };
 }
 
@@ -61,6 +65,7 @@ export function bookModule(Marked, root, programs) {
   const folder = path.join(root, 'docs/lab-book');
   const marked = new Marked({ renderer: renderer(folder), gfm: true });
   const pages = order.map((name) => pageOf(marked, folder, name));
-  const references = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10].map((number) => referenceOf(root, programs, number)).filter(Boolean);
+  const numbers = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10];
+  const references = numbers.map((number) => referenceOf(root, programs, number)).filter(Boolean);
   return `export const pages = ${JSON.stringify(pages)};\nexport const references = ${JSON.stringify(references)};\n`;
 }

@@ -49,8 +49,8 @@ const char *page_reach(const char *program, const double wish[]);
 const char *page_cloud(const char *program, const double wish[], const double given[7], int count, int seed);
 
 /*
- * One command line of armtol with --verify, in parts: several workers draw arms, each in steps of its own, and what they
- * counted is added up exactly. An exit code, after a message; 0 is fine.
+ * One command line of armtol with --verify, in parts: several workers draw arms, each in steps of its own, and what
+ * they counted is added up exactly. An exit code, after a message; 0 is fine.
  */
 int page_verify_begin(int argc, char *argv[]);
 int page_verify_draw(double first, double count);

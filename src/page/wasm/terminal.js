@@ -1,6 +1,7 @@
 /*
- * The programs' side of the page's terminal. Where the page has given `Module.terminal`, reading standard input waits for
- * the line that a person types, and what is printed is shown at once, line ended or not. Else the files of emscripten do.
+ * The programs' side of the page's terminal. Where the page has given `Module.terminal`, reading standard input waits
+ * for the line that a person types, and what is printed is shown at once, line ended or not. Else the files of
+ * emscripten do.
  */
 mergeInto(LibraryManager.library, {
   fd_read__sig: 'iiiii',

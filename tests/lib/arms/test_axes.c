@@ -419,7 +419,8 @@ static void test_two_axes_have_the_kind_length_and_twist_of_their_relation(void)
         convert(&arm);
         const armtol_link *const link = &arm.links[0];
         const double cosine = arm.axes[1].direction[2] / (double)length_of(arm.axes[1].direction);
-        const bool parallel = fabs(cosine) > sqrt(0.5); /* the tool is on axis 2: the reach is what is between the axes */
+        /* the tool is on axis 2: the reach is what is between the axes */
+        const bool parallel = fabs(cosine) > sqrt(0.5);
         check_kinds(parallel ? "ppr npr" : "npr npr", &arm);
         check_within(1e-12, cosine, cos(link->alpha) * cos(link->beta), "twist, relation %d", relation);
         if (!parallel) {
@@ -541,8 +542,8 @@ static void test_axes_that_are_hardly_not_parallel(void)
 }
 
 /*
- * Axis 2 is 300 from axis 1 and the tool 250 from axis 2: a reach of 550. By the tilt about y the axes cross 300 / tan below,
- * by that about x they do so where they are. Neither counts: the kind is that of the angle.
+ * Axis 2 is 300 from axis 1 and the tool 250 from axis 2: a reach of 550. By the tilt about y the axes cross 300 / tan
+ * below, by that about x they do so where they are. Neither counts: the kind is that of the angle.
  */
 static void test_the_common_perpendicular_is_near_within_the_reach(void)
 {
@@ -568,7 +569,10 @@ static void test_the_common_perpendicular_is_near_within_the_reach(void)
     }
 }
 
-/* Coaxial joints have no distance that would tell: below a tangent of 0.1 they count as nearly parallel; a tool does not. */
+/*
+ * Coaxial joints have no distance that would tell: below a tangent of 0.1 they count as nearly parallel; a tool does
+ * not.
+ */
 static void test_axes_that_cross_at_small_angles(void)
 {
     random_source source = {12};
@@ -583,7 +587,8 @@ static void test_axes_that_cross_at_small_angles(void)
         draw_tilted(&source, arm.axes[1].direction, angle, z);
         draw_tool(&source, (double[]){0, 400, 0}, z, &arm.tool);
         convert(&arm);
-        check_kinds(n % 3 == 2 ? (slides ? "npp ppr [npr]" : "npr ppr [npr]") : (slides ? "ppp ppr [npr]" : "ppr ppr [npr]"),
+        check_kinds(n % 3 == 2 ? (slides ? "npp ppr [npr]" : "npr ppr [npr]")
+                               : (slides ? "ppp ppr [npr]" : "ppr ppr [npr]"),
                     &arm);
         draw_tool(&source, arm.axes[1].point, z, &arm.tool);
         convert(&arm);

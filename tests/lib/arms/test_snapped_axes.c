@@ -36,8 +36,8 @@ typedef struct arm {
 
 static void convert(arm *arm, double snap)
 {
-    TEST_ASSERT_EQUAL(ARMTOL_OK, armtol_links_of_axes(arm->axes, arm->n_axes, &arm->tool, snap, arm->links, &arm->n_links,
-                                                      arm->snapped, &arm->n_snapped));
+    TEST_ASSERT_EQUAL(ARMTOL_OK, armtol_links_of_axes(arm->axes, arm->n_axes, &arm->tool, snap, arm->links,
+                                                      &arm->n_links, arm->snapped, &arm->n_snapped));
 }
 
 /* ---- robots of square turns, and the same with a little noise ---- */

@@ -1,6 +1,6 @@
 /*
- * Arms whose one axis is tilted from 0 to 90 degrees by half a degree: what is asked of their parts changes as smoothly as
- * the arm does, but for the one tilt at which Hayati's beta gives way to d.
+ * Arms whose one axis is tilted from 0 to 90 degrees by half a degree: what is asked of their parts changes as smoothly
+ * as the arm does, but for the one tilt at which Hayati's beta gives way to d.
  */
 
 #include "armtol/answer.h"

@@ -14,7 +14,9 @@ typedef struct one_link {
     armtol_draw draw;
 } one_link;
 
-/* The tolerances given, nothing asked of them, one pose; that many arms to be drawn, on one thread. *one has to stay. */
+/*
+ * The tolerances given, nothing asked of them, one pose; that many arms to be drawn, on one thread. *one has to stay.
+ */
 void one_link_make(one_link *one, uint64_t samples);
 
 #endif

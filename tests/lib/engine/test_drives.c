@@ -1,6 +1,6 @@
 /*
- * Drives, loads and given tolerances in an answer: an arm of one link, of which everything is known in closed form; and the
- * conditions of Karush, Kuhn and Tucker, which prove an optimum, on random arms.
+ * Drives, loads and given tolerances in an answer: an arm of one link, of which everything is known in closed form; and
+ * the conditions of Karush, Kuhn and Tucker, which prove an optimum, on random arms.
  */
 
 #include "armtol/budget.h"
@@ -283,7 +283,9 @@ static void test_ranges_and_loads_that_are_none(void)
 
 enum { COLUMNS = 40, ARMS = 400 };
 
-/* A question to a built-in arm, one pose, all components bounded, some tolerances in ranges about the optimum without. */
+/*
+ * A question to a built-in arm, one pose, all components bounded, some tolerances in ranges about the optimum without.
+ */
 typedef struct wish {
     armtol_question question;
     double q[8], accuracy[6], weights[COLUMNS], least[COLUMNS], largest[COLUMNS];
@@ -312,7 +314,8 @@ static void draw_ranges(random_source *source, wish *wish, size_t n)
     for (size_t k = 0; k < n; k++) {
         const double without = answer->tolerances[k], choice = random_between(source, 0, 1);
         wish->largest[k] = choice < 0.4 ? without * random_between(source, 0.7, 2) : (double)INFINITY;
-        wish->least[k] = choice > 0.25 && choice < 0.7 && isfinite(without) ? without * random_between(source, 0.2, 1.3) : 0;
+        wish->least[k] =
+            choice > 0.25 && choice < 0.7 && isfinite(without) ? without * random_between(source, 0.2, 1.3) : 0;
         wish->least[k] = fmin(wish->least[k], wish->largest[k]);
     }
     armtol_answer_destroy(answer);

@@ -44,8 +44,8 @@ static armtol_answer *answer_of(const armtol_question *question)
 enum { THETA, A, ALPHA, BETA };
 
 /*
- * Along x the tool is moved by a alone, across by theta alone and by 400 mm a radian; alpha, beta and theta turn it about
- * x, y and z. Theta is held down by dy, 2 = 400 t, and not by wz.
+ * Along x the tool is moved by a alone, across by theta alone and by 400 mm a radian; alpha, beta and theta turn it
+ * about x, y and z. Theta is held down by dy, 2 = 400 t, and not by wz.
  */
 static void test_the_tolerances_of_one_link(void)
 {
@@ -128,7 +128,8 @@ static void test_method_sphere(void)
     one.question.method = ARMTOL_METHOD_SPHERE;
     one.question.tool.offset[2] = 30;
     armtol_answer *answer = answer_of(&one.question);
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_sphere_delta(answer->matrices, 1, 4, answer->columns, accuracy, 430, &delta));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK,
+                          armtol_sphere_delta(answer->matrices, 1, 4, answer->columns, accuracy, 430, &delta));
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK,
                           armtol_sphere_bounds(answer->matrices, 1, 4, answer->columns, accuracy, delta, &bounds));
     check_same(delta, answer->delta, "delta");
@@ -180,8 +181,8 @@ static void check_refused(const armtol_question *question, armtol_status status,
     const armtol_status found = armtol_answer_create(question, &answer, &fault);
     snprintf(what, sizeof what, "expected %d about %d (%zu), found %d about %d (%zu)", status, about, number, found,
              fault.about, fault.number);
-    TEST_ASSERT_TRUE_MESSAGE(found == status && fault.status == status && fault.about == about && fault.number == number,
-                             what);
+    TEST_ASSERT_TRUE_MESSAGE(
+        found == status && fault.status == status && fault.about == about && fault.number == number, what);
     TEST_ASSERT_NULL(answer);
     TEST_ASSERT_EQUAL_INT(status, armtol_answer_create(question, &answer, NULL));
     TEST_ASSERT_NULL(answer);

@@ -484,9 +484,11 @@ static void test_a_climb_of_a_chain_that_is_none(void)
     one_link one;
     double errors[4] = {0.004, 0, 0, 0};
     one_link_make(&one, 0);
-    TEST_ASSERT_TRUE(isnan(armtol_climb(&one.link, 1, &armtol_tool_origin, NULL, one.tolerances, 3, first_component, NULL, errors)));
+    TEST_ASSERT_TRUE(
+        isnan(armtol_climb(&one.link, 1, &armtol_tool_origin, NULL, one.tolerances, 3, first_component, NULL, errors)));
     one.link.kind = ARMTOL_KIND_COUNT;
-    TEST_ASSERT_TRUE(isnan(armtol_climb(&one.link, 1, &armtol_tool_origin, NULL, one.tolerances, 4, first_component, NULL, errors)));
+    TEST_ASSERT_TRUE(
+        isnan(armtol_climb(&one.link, 1, &armtol_tool_origin, NULL, one.tolerances, 4, first_component, NULL, errors)));
     check_same(0.004, errors[0], "as it was");
     check_same(0, errors[1], "as it was");
 }

@@ -63,7 +63,8 @@ static void test_parts_count_as_the_whole(void)
         check_same(whole.components[i].worst_drawn, merged.components[i].worst_drawn, "worst of %zu", i);
         TEST_ASSERT_TRUE(whole.components[i].worst_arm == merged.components[i].worst_arm);
         for (size_t n = 0; n < ARMTOL_QUANTILES; n++) {
-            check_same(whole.components[i].quantiles[n], merged.components[i].quantiles[n], "quantile %zu of %zu", n, i);
+            check_same(whole.components[i].quantiles[n], merged.components[i].quantiles[n], "quantile %zu of %zu", n,
+                       i);
         }
     }
     free(sum);

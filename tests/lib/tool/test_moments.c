@@ -81,7 +81,7 @@ static void test_what_rounding_leaves_is_nothing(void)
     for (int i = 0; i < TRIES; i++) {
         const armtol_link links[2] = {
             {.kind = ARMTOL_PPR, .joint = ARMTOL_REVOLUTE, .a = 0.3, .theta = random_between(&source, -3, 3)},
-            {.kind = ARMTOL_PPR, .joint = ARMTOL_REVOLUTE, .a = 0.3, .theta = random_between(&source, -3, 3), .alpha = pi}};
+            {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 0.3, .theta = random_between(&source, -3, 3), .alpha = pi}};
         const armtol_mass masses[2] = {{3, {-0.1, 0.3, 0.2}}, {2, {-0.2, 0.1, 0.4}}};
         double moments[2];
         TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_moments(links, 2, masses, &armtol_tool_origin, NULL,
@@ -171,13 +171,14 @@ static void test_moments_are_slopes_of_the_potential_energy(void)
     for (int i = 0; i < TRIES; i++) {
         const sample sample = sample_of(&source);
         double moments[LINKS];
-        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_moments(sample.links, LINKS, sample.masses, &sample.tool, &sample.payload,
-                                                        &sample.loading, moments));
+        TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_moments(sample.links, LINKS, sample.masses, &sample.tool,
+                                                        &sample.payload, &sample.loading, moments));
         for (size_t j = 0; j < LINKS; j++) {
             const bool turns = sample.links[j].joint == ARMTOL_REVOLUTE;
             const double step = turns ? pi / 2 : 1;
             const double slope = (energy_at(&sample, j, step) - energy_at(&sample, j, -step)) / 2;
-            check_within(1e-11, sample.links[j].joint == ARMTOL_FIXED ? 0 : -slope, moments[j], "arm %d, link %zu", i, j);
+            check_within(1e-11, sample.links[j].joint == ARMTOL_FIXED ? 0 : -slope, moments[j], "arm %d, link %zu", i,
+                         j);
         }
     }
 }

@@ -294,7 +294,9 @@ static void test_parameters_are_shares_of_their_tolerances(void)
     }
 }
 
-/* However the arms are divided, wherever a part begins, and with every width of vectors of this machine: the same bits. */
+/*
+ * However the arms are divided, wherever a part begins, and with every width of vectors of this machine: the same bits.
+ */
 static void check_split(const kernels *kernels, uint64_t first, size_t part)
 {
     for (size_t done = 0; done < ARMS; done += part) {
