@@ -68,6 +68,6 @@ test('words on the stack give what the legacy program gives with them', async ()
 
 test('the lock file names no registry', () => {
   assert.doesNotMatch(readFileSync(path.join(root, 'src/page/make/package-lock.json'), 'utf8'), /https?:/);
-  assert.ok(packageOf('esbuild'));
+  assert.ok(packageOf('esbuild-wasm'));
   assert.ok(readFileSync(path.join(page, 'index.html')).length < 3e6);
 });

@@ -15,7 +15,7 @@ const out = path.join(build, 'page');
 const source = path.join(root, 'src/page');
 const packages = path.join(out, 'npm/node_modules');
 const require = createRequire(path.join(packages, 'x.js'));
-const esbuild = require('esbuild');
+const esbuild = require('esbuild-wasm');
 const { Marked } = await import(pathToFileURL(path.join(packages, 'marked/lib/marked.esm.js')));
 
 const read = (...parts) => readFileSync(path.join(...parts), 'utf8');
