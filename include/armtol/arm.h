@@ -41,8 +41,10 @@ extern const armtol_drive armtol_drive_unknown;
 bool armtol_drive_is_known(const armtol_drive *drive);
 
 /*
- * How far a drive lets its joint be off: backlash + compliance moment. nan where the backlash is not known.
- * Source: Hahn 1987, Eqs (4.33) and (4.34).
+ * How far a drive lets its joint be off: backlash + compliance moment, nan where the backlash is not known.
+ *
+ * Reference:
+ *    Hahn 1987, Eqs (4.33) and (4.34).
  */
 double armtol_drive_error(const armtol_drive *drive);
 
@@ -52,7 +54,16 @@ typedef struct armtol_drive_offset {
 } armtol_drive_offset;
 
 /*
- * Where a drive holds its joint under a moment that is known to `doubt` to either side (both >= 0 but the moment).
+ * Where a drive holds its joint under a moment.
+ *
+ * Given:
+ *    drive         what is known of it
+ *    moment        N m, or N for a prismatic joint
+ *    doubt         what the moment can be off to either side, >= 0
+ *    compensated   the share of what compliance gives way by that is taken back, 0 to 1
+ *
+ * Returned (function value):
+ *    where the joint is, less where it should be: a shift, and what may come to it on either side
  *
  * Notes:
  * 1) Compliance gives way to the moment: compliance moment, less the share `compensated` of it, is a shift, and
@@ -62,7 +73,8 @@ typedef struct armtol_drive_offset {
  *    side. A backlash that is not known counts as 0.
  * 3) The encoder adds half a step to either side.
  *
- * Source: Hahn 1987, Eq. (4.20); note 3 is the term for sensors that stands below it.
+ * Reference:
+ *    Hahn 1987, Eq. (4.20); note 3 is the term for sensors that stands below it.
  */
 armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt,
                                               double compensated);
@@ -106,22 +118,42 @@ bool armtol_arm_is_driven(const armtol_arm *arm, size_t link);
 size_t armtol_arm_joint_count(const armtol_arm *arm);
 
 /*
- * The value of a link's joint, before its sign; q has one value for each joint that moves by itself. 0 for a fixed
- * link.
+ * The value of a link's joint, before its sign.
+ *
+ * Given:
+ *    arm    as armtol_arm_check has it
+ *    q      one value for each joint that moves by itself, in link order
+ *    link   from 0
+ *
+ * Returned (function value):
+ *    the value, of a link that follows another too; 0 for a fixed link
  */
 double armtol_arm_joint_value(const armtol_arm *arm, const double q[], size_t link);
 
 /*
- * Whether links and motions are fit for use. Errors: those of armtol_links_check; ARMTOL_BAD_JOINT for a motion that
- * follows a link whose joint does not move by itself, or a sign that is not 1 or -1; ARMTOL_NOT_FINITE for a motion
- * that is not.
+ * Whether links and motions are fit for use.
+ *
+ * Errors:
+ *    those of armtol_links_check
+ *    ARMTOL_BAD_JOINT    a motion follows a link whose joint does not move by itself, or its sign is not 1 or -1
+ *    ARMTOL_NOT_FINITE   a motion that is not
  */
 armtol_status armtol_arm_check(const armtol_arm *arm);
 
 /*
- * armtol_links_place for an arm whose joints need not all move by themselves: q has one value a joint that does, in
- * link order. placed has arm->n_links places. Errors: those of armtol_arm_check; ARMTOL_WRONG_SIZE where n_joints is
- * not armtol_arm_joint_count; ARMTOL_NOT_FINITE for a q that is not, and for a value that overflows.
+ * armtol_links_place for an arm whose joints need not all move by themselves.
+ *
+ * Given:
+ *    arm           its table and, if it has any, its motions
+ *    q, n_joints   one value for each joint that moves by itself, in link order
+ *
+ * Returned:
+ *    placed        arm->n_links links
+ *
+ * Errors:
+ *    those of armtol_arm_check
+ *    ARMTOL_WRONG_SIZE   n_joints is not armtol_arm_joint_count
+ *    ARMTOL_NOT_FINITE   a q that is not, or a value that overflows
  */
 armtol_status armtol_arm_place(const armtol_arm *arm, const double q[], size_t n_joints, armtol_link placed[]);
 

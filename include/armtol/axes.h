@@ -45,14 +45,30 @@ typedef struct armtol_snapped {
 const char *armtol_relation_text(armtol_relation relation);
 
 /*
- * The links of an arm given by its axes and by where its tool is with all joints at 0 (a rigid motion;
- * nothing looks whether it is one). The chain of *n_links links has the same kinematics: placed at any joint
- * values it brings the tool where turning about, and sliding along, the axes does. The links that move come
- * in the order of the axes, and their joint values are those of the axes. links has
- * ARMTOL_LINKS_OF_AXES(n_axes) places, and so has snapped, which may be NULL.
+ * The links of an arm that is given by its axes and its tool.
  *
- * The frames, by rules that leave no choice to rounding.
+ * Given:
+ *    axes, n_axes           in the order of the joints
+ *    tool                   where the tool is with all joints at 0: a rigid motion, which is not checked
+ *    snap                   what is taken for exact, note 4: 0 to ARMTOL_MOST_SNAP
  *
+ * Returned:
+ *    links, *n_links        ARMTOL_LINKS_OF_AXES(n_axes) places. The chain has the same kinematics: placed at any joint
+ *                           values it brings the tool where turning about, and sliding along, the axes does. The links
+ *                           that move come in the order of the axes, and their joint values are those of the axes.
+ *    snapped, *n_snapped    what was taken for exact and was off by more than rounding; as many places, or NULL
+ *
+ * Notes:
+ * 1) Reach. The place of an axis is its point nearest to the place of the next revolute one, the last one's the point
+ *    nearest to the tool's origin. The reach is the length of the way from the tool through all places to axis 1; for
+ *    the link before axis 1 the way from there to the base's origin is added. Neither depends on where on its axis a
+ *    point was given.
+ * 2) Near. Two axes at an angle, a distance D apart where the arm is (from the one to the other's place), have their
+ *    common perpendicular at most D / tan(angle) from there, the more the less the tilt is about the line between them.
+ *    It counts as near where that is at most the reach: the direction of the tilt does not decide. Beyond 45 degrees it
+ *    always is. What could be tilted either way and has no D to show it - coaxial joints, and a slide, whose place is
+ *    free - is not near below a tangent of 0.1.
+ * 3) The frames, by rules that leave no choice to rounding:
  *   near         The link goes along the common perpendicular where that lies near the arm (note 2): theta and
  *                d to it, a >= 0 its length; axes that meet have a = 0 and x along the cross product of the
  *                two. beta = 0. npr, npp. This is the way of Denavit and Hartenberg, in Paul's order.
@@ -72,39 +88,40 @@ const char *armtol_relation_text(armtol_relation relation);
  *   axis n       there to the tool's frame; left out where that is the identity. Where the tool's z axis is
  *                axis n itself, theta and d go into link n. A revolute link n is then npr: ppr counts no error
  *                of d, the length of the tool.
+ * 4) Snap says what is taken for exact, as an angle and as a share of the reach (with the way to the base where it is a
+ *    thousand times as long: a tool on the only axis); at most ARMTOL_MOST_SNAP. Axes within that angle are parallel,
+ *    and at their places as far apart as before; parallel ones within that distance are one axis; others within it
+ *    meet; a rest behind link n within both is none. *n_snapped of these were more than rounding and stand in snapped.
+ *    Each changes where the tool gets by no more than twice its angle times the reach, a slide's travel included, and
+ *    twice its distance.
+ * 5) With snap = 0 rounding alone is taken away, as always: angles are in (-pi, pi], one that differs from a multiple
+ *    of pi/2 by no more than 1e-13 is set to it, and a length to 0 that is no more than 1e-13 of the largest coordinate
+ *    of the tool and the points that count.
  *
- * Note 1, reach: the place of an axis is its point nearest to the place of the next revolute one, the last one's
- * the point nearest to the tool's origin. The reach is the length of the way from the tool through all places
- * to axis 1; for the link before axis 1 the way from there to the base's origin is added. Neither depends on
- * where on its axis a point was given.
+ * Errors:
+ *    ARMTOL_WRONG_SIZE    no axes
+ *    ARMTOL_BAD_AXIS      a joint that does not move, or a direction of length 0
+ *    ARMTOL_NOT_FINITE    something given is not, or a link overflows
  *
- * Note 2, near: two axes at an angle, a distance D apart where the arm is (from the one to the other's place), have
- * their common perpendicular at most D / tan(angle) from there, the more the less the tilt is about the line
- * between them. It counts as near where that is at most the reach: the direction of the tilt does not decide. Beyond
- * 45 degrees it always is. What could be tilted either way and has no D to show it - coaxial joints, and a slide,
- * whose place is free - is not near below a tangent of 0.1.
- *
- * snap says what is taken for exact, as an angle and as a share of the reach (with the way to the base where it is a
- * thousand times as long: a tool on the only axis); at most ARMTOL_MOST_SNAP. Axes within
- * that angle are parallel, and at their places as far apart as before; parallel ones within that distance are one axis;
- * others within it meet; a rest behind link n within both is none. *n_snapped of these were more than rounding
- * and stand in snapped. Each changes where the tool gets by no more than twice its angle times the reach, a slide's
- * travel included, and twice its distance.
- *
- * With snap = 0 rounding alone is taken away, as always: angles are in (-pi, pi], one that differs from a
- * multiple of pi/2 by no more than 1e-13 is set to it, and a length to 0 that is no more than 1e-13 of the
- * largest coordinate of the tool and the points that count.
- *
- * Errors: ARMTOL_WRONG_SIZE for no axes; ARMTOL_BAD_AXIS for a joint that does not move or a direction of
- * length 0; ARMTOL_NOT_FINITE, also for a link that overflows.
+ * Reference:
+ *    Denavit and Hartenberg's way in Paul's order; Hayati 1983 for (nearly) parallel axes. What is near is ours.
  */
 armtol_status armtol_links_of_axes(const armtol_axis axes[], size_t n_axes, const armtol_transform *tool, double snap,
                                    armtol_link links[], size_t *n_links, armtol_snapped snapped[], size_t *n_snapped);
 
 /*
- * The other way round: the axes of a table's joints, in base coordinates, each with the origin of its link's frame as
- * its point, and the tool, all joints at 0. axes has a place for each joint. Errors: those of armtol_links_check;
- * ARMTOL_NOT_FINITE for what overflows.
+ * The other way round: the axes of a table's joints, and the tool, all joints at 0.
+ *
+ * Given:
+ *    links, n_links   the table
+ *
+ * Returned:
+ *    axes, *n_axes    in base coordinates, each with the origin of its link's frame as its point; a place for each
+ *    joint *tool            the last frame
+ *
+ * Errors:
+ *    those of armtol_links_check
+ *    ARMTOL_NOT_FINITE   where a frame overflows; what is returned is then of no use
  */
 armtol_status armtol_axes_of_links(const armtol_link links[], size_t n_links, armtol_axis axes[], size_t *n_axes,
                                    armtol_transform *tool);
@@ -115,14 +132,30 @@ typedef struct armtol_spread {
     double reach;
 } armtol_spread;
 
-/* Of axes that armtol_links_of_axes takes. Frames that it lays keep to twice the reach, whatever they were before. */
+/*
+ * The spread of axes that armtol_links_of_axes takes. Frames that it lays keep to twice the reach, whatever they were.
+ */
 armtol_spread armtol_spread_of_axes(const armtol_axis axes[], size_t n_axes, const armtol_transform *tool);
 
 /*
- * The kinds that a table's rows have by their joints and axes, by note 2, each row's z axis and the next one's taken
- * for its axes; a row with a beta is ppr or ppp. A fixed link is npr, as in the tables of Hahn 1987. So is the link of
- * the last joint where that is revolute, for its d is then the length of the tool; but not one with an a and no d.
- * rows has n_links places, for the work. Errors: those of armtol_links_check; ARMTOL_NOT_FINITE.
+ * The kinds that a table's rows have by their joints and axes.
+ *
+ * Given:
+ *    links, n_links   the table; its kinds are not used, but have to be some
+ *
+ * Returned:
+ *    rows             n_links places, for the work
+ *    kinds            n_links
+ *
+ * Notes:
+ * 1) A row's z axis and the next one's are taken for its axes: by note 2 of armtol_links_of_axes, and a row with a beta
+ *    is ppr or ppp. A fixed link is npr, as in the tables of Hahn 1987.
+ * 2) So is the link of the last joint where that is revolute, for its d is then the length of the tool; but not one
+ *    with an a and no d.
+ *
+ * Errors:
+ *    those of armtol_links_check
+ *    ARMTOL_NOT_FINITE   where a frame overflows
  */
 armtol_status armtol_kinds_of_links(const armtol_link links[], size_t n_links, armtol_axis rows[], armtol_kind kinds[]);
 

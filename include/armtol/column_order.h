@@ -9,10 +9,21 @@
 ARMTOL_INTERFACE_BEGIN
 
 /*
- * The order that puts lengths before angles: first the a of every link that also has a d; then of every link
- * its d, or its a where it has no d; then every theta; every alpha; every beta; each group in link order.
- * order[k] is the column that comes to place k, both have n_columns places. Returns the number of lengths.
- * Source: the reorder tables of both programs of 1987, which this one rule gives.
+ * The order that puts lengths before angles.
+ *
+ * Given:
+ *    columns, n_columns   what the columns of A stand for (armtol_columns)
+ *
+ * Returned:
+ *    order                n_columns: order[k] is the column that comes to place k
+ *    function value       the number of lengths
+ *
+ * Notes:
+ * 1) First the a of every link that also has a d; then of every link its d, or its a where it has no d; then every
+ *    theta; every alpha; every beta; each group in link order.
+ *
+ * Reference:
+ *    The reorder tables of both programs of Hahn 1987, which this one rule gives.
  */
 size_t armtol_column_order(const armtol_column columns[], size_t n_columns, size_t order[]);
 

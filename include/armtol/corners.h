@@ -17,8 +17,8 @@ ARMTOL_INTERFACE_BEGIN
  */
 
 /*
- * |row| tolerances: the largest that the row's component of the error gets to first order. An infinite tolerance
- * makes it infinite where its element is not 0, and adds nothing where it is.
+ * The largest that a row's component of the error gets to first order: |row| tolerances. An infinite tolerance makes it
+ * infinite where its element is not 0, and adds nothing where it is.
  */
 double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[]);
 
@@ -26,27 +26,53 @@ double armtol_worst_error(const double matrix[], size_t n_columns, size_t row, c
 double armtol_rss_error(const double matrix[], size_t n_columns, size_t row, const double tolerances[]);
 
 /*
- * The corner where the row's component has its largest value, or for sign -1 its least: each error with the
- * sign of its element. A parameter that does not move the component to first order stays as meant.
+ * The corner where a row's component of the error is largest, or least.
+ *
+ * Given:
+ *    matrix, n_columns, tolerances   as above
+ *    row                             0 to 5
+ *    sign                            1 for the largest value, -1 for the least
+ *
+ * Returned:
+ *    parameter_errors                n_columns: each tolerance with the sign of its element, times sign; 0 for a
+ *                                    parameter that does not move the component to first order
  */
 void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign, const double tolerances[],
                    double parameter_errors[]);
 
 /*
- * What the six components of the exact error can differ from A's prediction by, anywhere in the box: never
- * less than the truth, but for rounding, and near it for small tolerances, where it goes with their square.
- * Counted along the axes that A is counted along; corners.c says why it holds. The angular components are
- * bounded as long as the tolerances of all angles sum to less than pi, and have infinity from there on; an
- * infinite tolerance, or one that is nan, makes all six infinite.
+ * What the exact error can differ from A's prediction by, anywhere in the box.
+ *
+ * Given:
+ *    matrix, n_columns, tolerances   as above
+ *
+ * Returned:
+ *    remainder                       of the six components, along the axes that A is counted along
+ *
+ * Notes:
+ * 1) It is never less than the truth, but for rounding, and near it for small tolerances, where it goes with their
+ *    square; corners.c says why it holds.
+ * 2) The angular components are bounded as long as the tolerances of all angles sum to less than pi, and have infinity
+ *    from there on. An infinite tolerance, or one that is nan, makes all six infinite.
  */
 void armtol_remainder(const double matrix[], size_t n_columns, const double tolerances[],
                       double remainder[6]);
 
 /*
- * What rounding can make of the six components: how far A's prediction, of a matrix that armtol_tool_matrix_clear may
- * have seen, and the exact error as armtol_tool_error and armtol_sampler_draw compute it, can together be from what
- * they would be without rounding, anywhere in the box. A bound, proved in rounding.c; the truth is some hundred times
- * less. links are placed and fine; tolerances are finite, one a column; joint values and angles below 1e6 rad.
+ * What rounding can make of the six components of the error, anywhere in the box.
+ *
+ * Given:
+ *    links, n_links   the arm, placed and fine (armtol_links_check); joint values and angles below 1e6 rad
+ *    tool             the tool point
+ *    tolerances       finite, one a column
+ *
+ * Returned:
+ *    rounding         six bounds
+ *
+ * Notes:
+ * 1) A bound of how far A's prediction, of a matrix that armtol_tool_matrix_clear may have seen, and the exact error as
+ *    armtol_tool_error and armtol_sampler_draw compute it, can together be from what they would be without rounding. It
+ *    is proved in rounding.c; the truth is some hundred times less.
  */
 void armtol_rounding(const armtol_link links[], size_t n_links, const armtol_tool_point *tool,
                      const double tolerances[], double rounding[6]);

@@ -23,8 +23,15 @@ typedef struct armtol_craig_link {
 } armtol_craig_link;
 
 /*
- * The transform of one link with joint value q, which is added to theta or d; q of a fixed link is ignored.
- * Source: Craig 1986, Eq. (3.6); Hahn 1987, routine transf. Erratum: float.
+ * The transform of one link.
+ *
+ * Given:
+ *    link     its row
+ *    q        the joint's value, which is added to theta or d; of a fixed link not looked at
+ *    errata   float
+ *
+ * Reference:
+ *    Craig 1986, Eq. (3.6); Hahn 1987, routine transf.
  */
 armtol_transform armtol_craig_transform(const armtol_craig_link *link, double q, const armtol_errata *errata);
 

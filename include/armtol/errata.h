@@ -50,8 +50,17 @@ const armtol_erratum_info *armtol_erratum(size_t index);
 bool armtol_erratum_is_kept(const armtol_errata *errata, size_t index);
 
 /*
- * Keep (true) or correct (false) the erratum of that id in *errata; "all" names every one.
- * ARMTOL_UNKNOWN_ERRATUM where no row has it; *errata is then as it was.
+ * Keep an erratum, or correct it.
+ *
+ * Given:
+ *    id        its name; "all": every one
+ *    keep      true to keep it, false to correct it
+ *
+ * Given and returned:
+ *    *errata   as it was after an error
+ *
+ * Errors:
+ *    ARMTOL_UNKNOWN_ERRATUM   no row has the name
  */
 armtol_status armtol_erratum_keep(armtol_errata *errata, const char *id, bool keep);
 

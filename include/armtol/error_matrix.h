@@ -20,21 +20,41 @@ typedef struct armtol_column {
 size_t armtol_column_count(const armtol_link links[], size_t n_links);
 
 /*
- * Describe the columns, links in order, the parameters of each in the order of its kind. columns has
- * n_columns places. Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_columns is not
- * armtol_column_count.
+ * Describe the columns of A.
+ *
+ * Given:
+ *    links, n_links       the chain
+ *
+ * Returned:
+ *    columns, n_columns   links in order, the parameters of each in the order of its kind
+ *
+ * Errors:
+ *    those of armtol_links_check
+ *    ARMTOL_WRONG_SIZE    n_columns is not armtol_column_count
  */
 armtol_status armtol_columns(const armtol_link links[], size_t n_links, armtol_column columns[],
                              size_t n_columns);
 
 /*
- * A, 6 x n_columns: the error twist of the tool for a unit error of each parameter of the placed links, in
- * base coordinates. With the erratum base-twist v is the linear part of the twist, the motion of the body
- * point that lies at the base's origin; corrected, it is the motion of the tool point.
- * Source: Hahn 1987, the main programs. Errata: base-twist, float, and those of the stages
- * (link_transform.h, link_jacobian.h, twist_transform.h).
- * Errors: as of armtol_columns, A then untouched; ARMTOL_NOT_FINITE where an element overflows, A then of
- * no use.
+ * A: the error twist of the tool for a unit error of each parameter, in base coordinates.
+ *
+ * Given:
+ *    links, n_links      the chain, placed
+ *    errata              base-twist, float, and those of link_transform.h, link_jacobian.h and twist_transform.h
+ *
+ * Returned:
+ *    matrix, n_columns   6 x n_columns, columns as of armtol_columns
+ *
+ * Notes:
+ * 1) With the erratum base-twist v is the linear part of the twist, the motion of the body point that lies at the
+ *    base's origin; corrected, it is the motion of the tool point.
+ *
+ * Errors:
+ *    those of armtol_columns
+ *    ARMTOL_NOT_FINITE   where an element overflows; A is then of no use
+ *
+ * Reference:
+ *    Hahn 1987, Eqs (4.9) and (4.11), the main programs.
  */
 armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, const armtol_errata *errata,
                                   double matrix[], size_t n_columns);
@@ -42,7 +62,7 @@ armtol_status armtol_error_matrix(const armtol_link links[], size_t n_links, con
 /*
  * The same with these words on the diagonals of the skew matrices, in place of those that armtol_skew_residue works
  * out: what the programs of 1987 would have computed on a machine that leaves other words on its stack. The erratum
- * skew-residue is not read. Errors: as of armtol_error_matrix.
+ * skew-residue is not read.
  */
 armtol_status armtol_error_matrix_with_residue(const armtol_link links[], size_t n_links, const armtol_residue *residue,
                                                const armtol_errata *errata, double matrix[], size_t n_columns);

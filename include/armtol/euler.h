@@ -8,15 +8,33 @@
 ARMTOL_INTERFACE_BEGIN
 
 /*
- * zyx Euler angles: R = Rot(z, alpha) Rot(y, beta) Rot(x, gamma). A pose is (x, y, z, gamma, beta, alpha).
- * Source: Craig 1986, chapter 2; Hahn 1987, routine eulerzyx. Erratum: float.
+ * A transform of zyx Euler angles, R = Rot(z, alpha) Rot(y, beta) Rot(x, gamma).
+ *
+ * Given:
+ *    pose     x, y, z, gamma, beta, alpha
+ *    errata   float
+ *
+ * Reference:
+ *    Craig 1986, chapter 2; Hahn 1987, routine eulerzyx.
  */
 armtol_transform armtol_pose_to_transform(const double pose[6], const armtol_errata *errata);
 
 /*
- * The other way: beta in [-pi/2, pi/2], gamma and alpha in (-pi, pi]. At beta = pi/2 the rotation gives only
- * alpha - gamma, at -pi/2 only alpha + gamma; what comes out for the two near there rests on rounding.
- * Source: Hahn 1987, routine geulerzyx. Erratum: float.
+ * The other way.
+ *
+ * Given:
+ *    transform   a rigid motion
+ *    errata      float
+ *
+ * Returned:
+ *    pose        beta in [-pi/2, pi/2], gamma and alpha in [-pi, pi]
+ *
+ * Notes:
+ * 1) At beta = pi/2 the rotation gives only alpha - gamma, at -pi/2 only alpha + gamma; what comes out for the two near
+ *    there rests on rounding.
+ *
+ * Reference:
+ *    Hahn 1987, routine geulerzyx.
  */
 void armtol_transform_to_pose(const armtol_transform *transform, const armtol_errata *errata, double pose[6]);
 

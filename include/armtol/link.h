@@ -78,17 +78,36 @@ double *armtol_link_parameter(armtol_link *link, armtol_parameter parameter);
 /* Whether it is the parameter that such a joint moves. */
 bool armtol_joint_moves(armtol_joint joint, armtol_parameter parameter);
 
-/* ARMTOL_NO_LINKS, ARMTOL_BAD_KIND, ARMTOL_BAD_JOINT or ARMTOL_NOT_FINITE for the first that is wrong. */
+/*
+ * Whether links are fit for use.
+ *
+ * Errors, the first that is found:
+ *    ARMTOL_NO_LINKS     n_links is 0
+ *    ARMTOL_BAD_KIND     a kind, or
+ *    ARMTOL_BAD_JOINT    a joint, that is none
+ *    ARMTOL_NOT_FINITE   a parameter that is not
+ */
 armtol_status armtol_links_check(const armtol_link links[], size_t n_links);
 
 /* The number of links that a joint moves. */
 size_t armtol_joint_count(const armtol_link links[], size_t n_links);
 
 /*
- * Put joint values into a table: placed[i] is links[i] with the value of its joint, if it has one, added to
- * theta or d, and with every parameter stored. q holds one value a joint, in link order. Erratum: float.
- * placed may be links. Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_joints is not the
- * number of joints; ARMTOL_NOT_FINITE for a q that is not, and for a sum or a float that overflows.
+ * Put joint values into a table.
+ *
+ * Given:
+ *    links, n_links   the table
+ *    q, n_joints      one value a joint, in link order
+ *    errata           float
+ *
+ * Returned:
+ *    placed           n_links: the value of its joint, if it has one, added to theta or d, and every parameter stored;
+ *                     may be links
+ *
+ * Errors:
+ *    those of armtol_links_check
+ *    ARMTOL_WRONG_SIZE   n_joints is not the number of joints
+ *    ARMTOL_NOT_FINITE   a q that is not, or a sum or a float that overflows
  */
 armtol_status armtol_links_place(const armtol_link links[], size_t n_links, const double q[], size_t n_joints,
                                  const armtol_errata *errata, armtol_link placed[]);

@@ -46,10 +46,14 @@ extern const armtol_loading armtol_loading_standard;
  *                     prismatic one in N, 0 of a fixed link. What is no more than 1e-12 of what could be, were every
  *                     lever at a right angle, is what rounding leaves of 0, and is 0.
  *
- * Errors: those of armtol_links_check; ARMTOL_BAD_LOAD for a mass that is negative; ARMTOL_NOT_FINITE, also for a
- * moment that overflows.
- * Source: Hahn 1987, section 4.2: l x m of Eq. (4.20), the mass of links i to n and of what is held; its component
- * along the joint's axis z is z . sum (p_j - o) x m_j g + z . (p - o) x f, and of a slide z . (sum m_j g + f).
+ * Errors:
+ *    those of armtol_links_check
+ *    ARMTOL_BAD_LOAD     a mass is negative
+ *    ARMTOL_NOT_FINITE   something given is not, or a moment overflows; moments are then of no use
+ *
+ * Reference:
+ *    Hahn 1987, section 4.2: l x m of Eq. (4.20), the mass of links i to n and of what is held; its component along the
+ *    joint's axis z is z . sum (p_j - o) x m_j g + z . (p - o) x f, and of a slide z . (sum m_j g + f).
  */
 armtol_status armtol_moments(const armtol_link links[], size_t n_links, const armtol_mass masses[],
                              const armtol_tool_point *tool, const armtol_mass *payload, const armtol_loading *loading,

@@ -44,21 +44,42 @@ typedef struct armtol_poses {
 } armtol_poses;
 
 /*
- * Prepare for poses of an arm: links are its table at joint values 0, prepared has n_links places and has to
- * stay as long as poses is used; tolerances and delta as of armtol_norm_bounds, along the axes of
- * tool->frame. Errors: those of armtol_links_check and armtol_tolerances_check; ARMTOL_NOT_FINITE for an
- * offset that is not; ARMTOL_BAD_TOLERANCE where one tolerance (less delta) is more than 1e100 times another.
+ * Prepare for poses of an arm.
+ *
+ * Given:
+ *    links, n_links      its table, at joint values 0
+ *    tool                the tool point, and along which axes is counted
+ *    tolerances, delta   as of armtol_norm_bounds
+ *
+ * Returned:
+ *    *poses              what armtol_pose_blocks needs
+ *    prepared            n_links places; they have to stay as long as *poses is used
+ *
+ * Errors:
+ *    those of armtol_links_check and armtol_tolerances_check
+ *    ARMTOL_NOT_FINITE      an offset that is not
+ *    ARMTOL_BAD_TOLERANCE   one tolerance (less delta) is more than 1e100 times another
  */
 armtol_status armtol_poses_start(armtol_poses *poses, armtol_pose_link prepared[], const armtol_link links[],
                                  size_t n_links, const armtol_tool_point *tool, const double tolerances[6],
                                  double delta);
 
 /*
- * Joint k of pose p is q[p * n_joints + k]; blocks has ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK * 6 * n_columns
- * places, element (i, j) of A in pose p at ARMTOL_POSE_ELEMENT: to the bit that of armtol_tool_matrix for the placed
- * links; bounds one a pose, those of armtol_norm_bounds without errata, to rounding. What is nan or overflows makes the
- * bounds it counts for nan. The places of the last block that no pose is left for repeat the last pose. It is fastest
- * where blocks is aligned to 64 bytes.
+ * A and its bounds in many poses.
+ *
+ * Given:
+ *    poses        prepared
+ *    q, n_poses   joint k of pose p is q[p * n_joints + k]
+ *
+ * Returned:
+ *    blocks       ARMTOL_POSE_BLOCKS(n_poses) * ARMTOL_POSE_BLOCK * 6 * n_columns places: element (i, j) of A in pose p
+ *                 at ARMTOL_POSE_ELEMENT, to the bit that of armtol_tool_matrix for the placed links
+ *    bounds       one a pose: those of armtol_norm_bounds without errata, to rounding
+ *
+ * Notes:
+ * 1) What is nan or overflows makes the bounds it counts for nan.
+ * 2) The places of the last block that no pose is left for repeat the last pose.
+ * 3) It is fastest where blocks is aligned to 64 bytes.
  */
 void armtol_pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                         armtol_bounds bounds[]);

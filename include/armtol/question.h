@@ -45,7 +45,7 @@ typedef struct armtol_question {
     const double *largest;    /* a column of A, each >= the least: none is found above it; NULL: infinity each. Where
                                  both are the same the tolerance is given: 0 is exact */
     const armtol_loading *loading; /* NULL: armtol_loading_standard */
-    bool drives_apart; /* the drives that the arm names, and what loads them, are in no error; else they are: note 5 of
+    bool drives_apart; /* the drives that the arm names, and what loads them, are in no error; else they are: note 3 of
                           answer.h */
 } armtol_question;
 

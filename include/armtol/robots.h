@@ -31,10 +31,20 @@ typedef struct armtol_robot {
     void (*links)(const armtol_errata *errata, armtol_link links[]);
 
     /*
-     * Joint values that bring the tool to the wish, as the programs of 1987 chose them: every `close` of
-     * solve is 0, nothing is wrapped. reach is written unless the wish is not finite.
-     * Errors: ARMTOL_NOT_FINITE, also for a joint value that overflows; ARMTOL_OUT_OF_REACH; ARMTOL_SINGULAR.
-     * Errata: short-pi, float.
+     * Joint values that bring the tool to a wish, as the programs of 1987 chose them.
+     *
+     * Given:
+     *    wish      n_wish numbers
+     *    errata    short-pi, float
+     *
+     * Returned:
+     *    q         n_joints values: every `close` of solve is 0, nothing is wrapped
+     *    *reach    also where the arm does not get there; as it was where the wish is not finite
+     *
+     * Errors:
+     *    ARMTOL_NOT_FINITE     the wish, or a joint value that overflows
+     *    ARMTOL_OUT_OF_REACH
+     *    ARMTOL_SINGULAR
      */
     armtol_status (*inverse)(const double wish[], const armtol_errata *errata, double q[],
                              armtol_reach *reach);

@@ -48,11 +48,24 @@ typedef struct armtol_sampler {
 } armtol_sampler;
 
 /*
- * Prepare to draw arms at one pose: links are placed, tolerances has one value >= 0 a column
- * (error_matrix.h), prepared has n_links places and has to stay as long as the sampler is used. Samplers with
- * the same seed and columns draw the same parts of their tolerances: one arm can be looked at in several
- * poses. Errors: those of armtol_links_check; ARMTOL_WRONG_SIZE where n_columns is not armtol_column_count;
- * ARMTOL_BAD_TOLERANCE for a tolerance that is negative; ARMTOL_NOT_FINITE for one that is not, or an offset.
+ * Prepare to draw arms at one pose.
+ *
+ * Given:
+ *    links, n_links          the arm, placed
+ *    tolerances, n_columns   one value >= 0 a column (error_matrix.h)
+ *    tool                    the tool point, and along which axes is counted
+ *    seed                    samplers with the same seed and columns draw the same parts of their tolerances: one arm
+ *                            can be looked at in several poses
+ *
+ * Returned:
+ *    *sampler                what the other routines need
+ *    prepared                n_links places; they have to stay as long as *sampler is used
+ *
+ * Errors:
+ *    those of armtol_links_check
+ *    ARMTOL_WRONG_SIZE      n_columns is not armtol_column_count
+ *    ARMTOL_BAD_TOLERANCE   a tolerance is negative
+ *    ARMTOL_NOT_FINITE      a tolerance is not, or an offset
  */
 armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link prepared[],
                                    const armtol_link links[], size_t n_links, const double tolerances[],
@@ -65,15 +78,29 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
 void armtol_sampler_aim(armtol_sampler *sampler, const armtol_link meant[]);
 
 /*
- * The draw, uniform in [-1, 1), of that number: arm i takes number i * n_columns + k for its parameter of
- * column k. Source: splitmix64 (Steele, Lea, Flood 2014). Its state only counts, so that any draw can be had
- * at once.
+ * One draw.
+ *
+ * Given:
+ *    seed
+ *    number   arm i takes number i * n_columns + k for its parameter of column k
+ *
+ * Returned (function value):
+ *    uniform in [-1, 1)
+ *
+ * Reference:
+ *    splitmix64 (Steele, Lea, Flood 2014). Its state only counts, so that any draw can be had at once.
  */
 double armtol_sampler_uniform(uint64_t seed, uint64_t number);
 
 /*
- * The errors of the tool of arms first to first + count - 1, as armtol_tool_error has them; component i of
- * arm first + j goes to errors[i * count + j].
+ * The errors of the tool of some arms.
+ *
+ * Given:
+ *    sampler        started
+ *    first, count   the arms first to first + count - 1
+ *
+ * Returned:
+ *    errors         6 * count, as armtol_tool_error has them: component i of arm first + j at errors[i * count + j]
  */
 void armtol_sampler_draw(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]);
 

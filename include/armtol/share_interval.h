@@ -12,8 +12,13 @@ typedef struct armtol_share_interval {
 } armtol_share_interval;
 
 /*
- * The 95 % interval of a share of which `hits` of `samples` draws are known, hits <= samples. It also says something
- * where all draws hit or none. Without samples it is 0 to 1.
+ * The 95 % interval of a share of which some draws are known.
+ *
+ * Given:
+ *    hits, samples   hits <= samples
+ *
+ * Notes:
+ * 1) It also says something where all draws hit or none. Without samples it is 0 to 1.
  *
  * Reference:
  *    Wilson, Probable inference, the law of succession, and statistical inference, JASA 22 (1927): the score interval.

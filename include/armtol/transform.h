@@ -17,7 +17,12 @@ armtol_transform armtol_transform_identity(void);
 armtol_transform armtol_transform_product(const armtol_transform *left, const armtol_transform *right,
                                           const armtol_errata *errata);
 
-/* The inverse of a rigid motion, [R' , -R' p]. Source: Craig 1986, chapter 2. Erratum: float. */
+/*
+ * The inverse of a rigid motion, [R' , -R' p]. Erratum: float.
+ *
+ * Reference:
+ *    Craig 1986, chapter 2.
+ */
 armtol_transform armtol_transform_inverse(const armtol_transform *transform, const armtol_errata *errata);
 
 ARMTOL_INTERFACE_END
