@@ -40,6 +40,7 @@
 #define axis_kind armtol_private_axis_kind
 #define axis_line_of armtol_private_axis_line_of
 #define axis_line_seen armtol_private_axis_line_seen
+#define built_chain armtol_private_built_chain
 #define built_error armtol_private_built_error
 #define built_link armtol_private_built_link
 #define columns_check armtol_private_columns_check

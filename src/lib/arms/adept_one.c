@@ -55,7 +55,17 @@ static void forward(const double q[], const armtol_errata *errata, double wish[]
     wish[3] = store(errata, angle_of(errata, tool.m[1][0], tool.m[0][0]));
 }
 
-/* The elbow by the law of cosines; q2 = pi - acos(c) lies between 0 and pi. */
+/*
+ * Method
+ *    The elbow by the law of cosines, q2 = pi - acos(c) between 0 and pi; joint 1 by the difference of two angles; the
+ *    other two are what is left.
+ *
+ * Special cases
+ *    Out of reach where |c| > 1. Nothing is singular: where the arm is folded or stretched there is one answer.
+ *
+ * Accuracy
+ *    Without errata the tool gets to the wish to 1e-7 mm and 1e-10 rad (test_the_adept_gets_where_it_should).
+ */
 static armtol_status inverse(const double wish[], const armtol_errata *errata, double q[],
                              armtol_reach *reach)
 {

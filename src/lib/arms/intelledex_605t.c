@@ -158,6 +158,17 @@ static armtol_status solve_all(const double wish[], const armtol_errata *errata,
 /*
  * The report prints no inverse kinematics. This order of steps is a reconstruction that gives every published
  * joint value to its last digit; legacy/README.md says what the numbers decide and what they leave open.
+ *
+ * Method
+ *    Joint 6 by solve, where the axis of joint 5 is square to the shoulder; that axis gives joints 1 and 2; joints 3 to
+ *    5 are a planar arm, q5 by solve and the others by arc tangents.
+ *
+ * Special cases
+ *    Out of reach, also where squares overflow; singular with the shoulder on the tool's axis; an upright elbow has any
+ *    q1 (test_an_upright_elbow_is_no_error).
+ *
+ * Accuracy
+ *    Without errata the tool gets to the wish to 1e-7 mm and 1e-10 rad (test_the_intelledex_gets_where_it_should).
  */
 static armtol_status inverse(const double wish[], const armtol_errata *errata, double q[],
                              armtol_reach *reach)

@@ -78,13 +78,14 @@ static armtol_status place_link(const armtol_arm *arm, const double q[], size_t 
                               placed);
 }
 
-static armtol_status check_placing(const armtol_arm *arm, const double q[])
+/* placed may be NULL. */
+static armtol_status place_all(const armtol_arm *arm, const double q[], armtol_link placed[])
 {
     armtol_status status = ARMTOL_OK;
-    armtol_link placed;
+    armtol_link unused;
     size_t joint = 0;
     for (size_t i = 0; i < arm->n_links && status == ARMTOL_OK; i++) {
-        status = place_link(arm, q, i, &joint, &placed);
+        status = place_link(arm, q, i, &joint, placed != NULL ? &placed[i] : &unused);
     }
     return status;
 }
@@ -96,11 +97,7 @@ armtol_status armtol_arm_place(const armtol_arm *arm, const double q[], size_t n
         status = ARMTOL_WRONG_SIZE;
     }
     if (status == ARMTOL_OK) {
-        status = check_placing(arm, q);
+        status = place_all(arm, q, NULL);
     }
-    size_t joint = 0;
-    for (size_t i = 0; i < arm->n_links && status == ARMTOL_OK; i++) {
-        status = place_link(arm, q, i, &joint, &placed[i]);
-    }
-    return status;
+    return status == ARMTOL_OK ? place_all(arm, q, placed) : status;
 }

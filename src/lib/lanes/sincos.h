@@ -4,14 +4,20 @@
 #include "lib/lanes/lanes.h"
 
 /*
- * Sine and cosine, within 0.9 units in the last place up to 1e5 and 1.1 up to 1e6;
- * beyond, libm's.
+ * Sine and cosine.
  *
- * The angle is brought to |y| <= pi/4 by multiples of pi/2, which is kept in three parts of 33, 33 and 53
- * bits, so that its products with up to 20 bits are exact (Cody and Waite's way); the tail is what y's
- * rounding left. The polynomials are our own: with z = y^2, (sin y / y - 1) / z and (cos y - 1 + z/2) / z^2
- * interpolated at the six Chebyshev points of 0 <= z <= (1.001 pi/4)^2. They leave out less than 0.2 and 0.01
- * half units in the last place.
+ * Method
+ *    The angle is brought to |y| <= pi/4 by multiples of pi/2, which is kept in three parts of 33, 33 and 53 bits, so
+ *    that its products with up to 20 bits are exact (Cody and Waite's way); the tail is what y's rounding left. The
+ *    polynomials are our own: with z = y^2, (sin y / y - 1) / z and (cos y - 1 + z/2) / z^2 interpolated at the six
+ *    Chebyshev points of 0 <= z <= (1.001 pi/4)^2. They leave out less than 0.2 and 0.01 half units in the last place.
+ *
+ * Special cases
+ *    Beyond 1e6, for infinity and for nan, libm's.
+ *
+ * Accuracy
+ *    0.9 units in the last place up to 1e5 (test_sines_and_cosines_are_within_a_unit_in_the_last_place), 1.1 up to 1e6
+ *    (test_joint_values_of_any_size).
  */
 
 LANE_INLINE void near_sine_cosine(const real *angle, real *sine, real *cosine)

@@ -5,9 +5,18 @@
 #include <math.h>
 
 /*
- * A primal-dual interior-point method. The conditions t y = w, l s = 0 are those of the complementary pairs
- * of a linear programme, but for w in place of 0, and its method serves: Newton's steps for t y = w, l s =
- * mu, with mu led to 0, predictor and corrector on one factorisation. No logarithm is taken.
+ * Method
+ *    A primal-dual interior-point method. The conditions t y = w, l s = 0 are those of the complementary pairs of a
+ *    linear programme, but for w in place of 0, and its method serves: Newton's steps for t y = w, l s = mu, with mu
+ *    led to 0, predictor and corrector on one factorisation (Mehrotra 1992). No logarithm is taken.
+ *
+ * Special cases
+ *    Rows that depend on each other: the factor leaves their unknowns at 0 (factor.h). Steps that aim far can go in
+ *    circles: after 30 they are careful ones (test_the_optimum_where_long_steps_do_not_get_there). After 300 the
+ *    iteration has not converged.
+ *
+ * Accuracy
+ *    As `negligible` says; what comes of it is measured in test_optimum (optimum.c).
  */
 
 /*
@@ -201,13 +210,6 @@ static void aim_far(const center_problem *problem, center_state *state, double m
     find_step(problem, state);
     const double left = mean_after(problem, state, length_of(problem, state, 0)) / mu;
     aim(problem, state, left * left * left * mu, true);
-    find_step(problem, state);
-}
-
-static void aim_near(const center_problem *problem, center_state *state, double mu)
-{
-    aim(problem, state, careful_reduction * mu, false);
-    find_step(problem, state);
 }
 
 static void step(const center_problem *problem, center_state *state, bool careful)
@@ -216,10 +218,11 @@ static void step(const center_problem *problem, center_state *state, bool carefu
     const double share = fmin(0.005, fmax(mu, 1e-8));
     factor(problem, state);
     if (careful) {
-        aim_near(problem, state, mu);
+        aim(problem, state, careful_reduction * mu, false);
     } else {
         aim_far(problem, state, mu);
     }
+    find_step(problem, state);
     take_step(problem, state, length_of(problem, state, share));
 }
 

@@ -1,5 +1,18 @@
 #include "lib/optimum/factor.h"
 
+/*
+ * Method
+ *    L D L' row by row, without exchanges: the matrices are positive definite, or nearly so. Products are summed in
+ *    four sums, in the same order everywhere.
+ *
+ * Special cases
+ *    A pivot that cancels to 1e-14 of its diagonal element, or below 0, is a row that depends on those before it: its
+ *    unknown becomes 0.
+ *
+ * Accuracy
+ *    Nothing is claimed of one solution: center.c repeats its steps until what they are for is reached.
+ */
+
 /* What is left of a diagonal element, as a part of it, that is no more than its rounding. */
 static const double rounding = 1e-14;
 

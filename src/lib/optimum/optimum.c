@@ -8,8 +8,19 @@
 #include <math.h>
 
 /*
- * Few rows bind, so few are looked at: the problem is solved for a working set of rows, those that its
- * solution violates most come in, those that do not bind go out, until none is violated.
+ * Method
+ *    Few rows bind, so few are looked at: the problem is solved for a working set of rows, those that its solution
+ *    violates most come in, those that do not bind go out, until none is violated. In the end the tolerances shrink by
+ *    the rounding of a row's sum, so that every row keeps to its limit to the last bit.
+ *
+ * Special cases
+ *    A column that no bounded row sees gets infinity and takes no part. A free row is in no set. Up to 24 rows are all
+ *    taken at once. Rows that are alike within 3 % come in one at a time.
+ *
+ * Accuracy
+ *    A row that binds uses 1 - 3e-12 of its limit or more, and every column is held down by its weight to 1e-11:
+ *    test_optimum, the conditions of Karush, Kuhn and Tucker on random problems; test_optimum_nlopt holds it against
+ *    another solver.
  */
 
 enum { ALL_AT_ONCE = 24, MOST_ROUNDS = 300 };
@@ -116,11 +127,9 @@ static void share_weights(optimum *optimum, const double weights[])
     }
     for (size_t k = 0; k < rows->n_columns; k++) {
         if (rows->units[k] > 0) {
-            optimum->weights[count++] = weights[k] / largest;
+            optimum->weights[count] = weights[k] / largest;
+            sum += optimum->weights[count++];
         }
-    }
-    for (size_t j = 0; j < count; j++) {
-        sum += optimum->weights[j];
     }
     for (size_t j = 0; j < count; j++) {
         optimum->weights[j] /= sum;

@@ -6,6 +6,21 @@
 #include <math.h>
 #include <stdbool.h>
 
+/*
+ * Method
+ *    The angle bound is that of the largest norms of all poses, as limits are the same in each; the distance bound is
+ *    looked for row by row, since both its norms are of one row of one pose. Delta is what is left of the least limit
+ *    where the tolerance of a length, which falls with the angles' radius, meets that of an angle, which grows.
+ *
+ * Special cases
+ *    Free rows have norms of 0. Bounds that no row sets are infinite. Delta is 0 where no linear row has a length; else
+ *    it is between 2^-52 of the smallest limit and the number below that.
+ *
+ * Accuracy
+ *    Bounds to 1e-14 of those of bounds.c (test_the_arms_of_1987_have_their_corrected_bounds); of 1,000 deltas no other
+ *    gives a least tolerance that is larger by 1e-12 (test_no_other_delta_is_better).
+ */
+
 /* What the bounds are of. */
 typedef struct task {
     const double *matrix;
@@ -32,17 +47,6 @@ static void count_classes(const armtol_column columns[], size_t n_columns, spher
     rows->n_angles = n_columns - rows->n_lengths;
 }
 
-static double class_norm(const double row[], size_t n_columns, const armtol_column columns[], bool of_lengths)
-{
-    double sum = 0;
-    for (size_t k = 0; k < n_columns; k++) {
-        if (armtol_parameter_is_length(columns[k].parameter) == of_lengths) {
-            sum += row[k] * row[k];
-        }
-    }
-    return sqrt(sum);
-}
-
 static armtol_status check_limits(const double limits[6])
 {
     for (int i = 0; i < 6; i++) {
@@ -65,14 +69,14 @@ typedef struct row_norms {
 /* 0 where the row is free. */
 static row_norms norms_of(const task *task, size_t pose, size_t i)
 {
-    if (isinf(task->limits[i])) {
-        return (row_norms){0, 0};
-    }
     const double *row = task->matrix + (pose * 6 + i) * task->n_columns;
-    return (row_norms){
-        .lengths = class_norm(row, task->n_columns, task->columns, true),
-        .angles = class_norm(row, task->n_columns, task->columns, false),
-    };
+    double lengths = 0, angles = 0;
+    for (size_t k = 0; k < task->n_columns && !isinf(task->limits[i]); k++) {
+        const bool length = armtol_parameter_is_length(task->columns[k].parameter);
+        lengths += length ? row[k] * row[k] : 0;
+        angles += length ? 0 : row[k] * row[k];
+    }
+    return (row_norms){sqrt(lengths), sqrt(angles)};
 }
 
 /* Raise the norms to those of one pose. */

@@ -21,6 +21,17 @@ armtol_status armtol_tolerances_check(const double tolerances[6], double delta)
     return delta > 0 && delta < smallest ? ARMTOL_OK : ARMTOL_BAD_DELTA;
 }
 
+/*
+ * Method
+ *    The norms of the rows, lengths and angles apart; each bound is the least of what the rows allow.
+ *
+ * Special cases
+ *    A row without an entry allows anything. What the angles leave is delta at the least: rounding apart it is.
+ *
+ * Accuracy
+ *    With all errata the paper's bounds to their last digit (test_1987_gives_the_paper_s_bounds); nothing is summed
+ *    with more care than its order gives.
+ */
 static double row_norm(const double row[], size_t first, size_t end, const armtol_errata *errata)
 {
     double sum = 0;

@@ -108,15 +108,18 @@ static armtol_link place(const armtol_link *link, const double q[], size_t *join
     };
 }
 
-/* Whether every link keeps finite values when its joint moves and its parameters are stored. */
-static armtol_status check_placing(const armtol_link links[], size_t n_links, const double q[],
-                                   const armtol_errata *errata)
+/* Whether every link keeps finite values when its joint moves and its parameters are stored. placed may be NULL. */
+static armtol_status place_all(const armtol_link links[], size_t n_links, const double q[],
+                               const armtol_errata *errata, armtol_link placed[])
 {
     armtol_status status = ARMTOL_OK;
     size_t joint = 0;
     for (size_t i = 0; i < n_links && status == ARMTOL_OK; i++) {
-        const armtol_link placed = place(&links[i], q, &joint, errata);
-        status = check_link(&placed);
+        const armtol_link link = place(&links[i], q, &joint, errata);
+        status = check_link(&link);
+        if (placed != NULL) {
+            placed[i] = link;
+        }
     }
     return status;
 }
@@ -129,14 +132,7 @@ armtol_status armtol_links_place(const armtol_link links[], size_t n_links, cons
         status = ARMTOL_WRONG_SIZE;
     }
     if (status == ARMTOL_OK) {
-        status = check_placing(links, n_links, q, errata);
+        status = place_all(links, n_links, q, errata, NULL);
     }
-    if (status != ARMTOL_OK) {
-        return status;
-    }
-    size_t joint = 0;
-    for (size_t i = 0; i < n_links; i++) {
-        placed[i] = place(&links[i], q, &joint, errata);
-    }
-    return ARMTOL_OK;
+    return status == ARMTOL_OK ? place_all(links, n_links, q, errata, placed) : status;
 }

@@ -5,15 +5,19 @@
 
 #include <math.h>
 
-/* Erratum `copied-counts`: the Intelledex's numbers of parameters serve every arm. */
-static void counts_of(const armtol_errata *errata, size_t *n_lengths, size_t *n_angles)
-{
-    if (errata->copied_counts) {
-        *n_lengths = 14;
-        *n_angles = 18;
-    }
-}
-
+/*
+ * Method
+ *    Closed forms: Eq. (4.32) as the report writes it, a difference of two lengths, and the same as the difference of
+ *    their squares over their sum.
+ *
+ * Special cases
+ *    No parameter has a share of 0. A square that rounding takes below 0 counts as 0. What overflows is infinite or
+ *    nan.
+ *
+ * Accuracy
+ *    The report's form loses what h has in front of the share; the other one does not: 1e-12 where h is 5e13
+ *    (test_by_sphere_the_distance_does_not_cancel).
+ */
 static double share_of(double radius, size_t n, const armtol_errata *errata)
 {
     if (n == 0) {
@@ -27,10 +31,10 @@ static double share_of(double radius, size_t n, const armtol_errata *errata)
 armtol_shares armtol_parameter_shares(const armtol_bounds *bounds, size_t n_lengths, size_t n_angles,
                                       const armtol_errata *errata)
 {
-    counts_of(errata, &n_lengths, &n_angles);
+    /* Erratum `copied-counts`: the Intelledex's numbers of parameters serve every arm. */
     return (armtol_shares){
-        .distance = share_of(bounds->distance, n_lengths, errata),
-        .angle = share_of(bounds->angle, n_angles, errata),
+        .distance = share_of(bounds->distance, errata->copied_counts ? 14 : n_lengths, errata),
+        .angle = share_of(bounds->angle, errata->copied_counts ? 18 : n_angles, errata),
     };
 }
 

@@ -45,6 +45,18 @@ void armtol_corner(const double matrix[], size_t n_columns, size_t row, int sign
 /*
  * The remainder.
  *
+ * Method
+ *    A bound of the second derivatives of the tool's motion along the way from the arm as meant to the arm as built, in
+ *    closed form; the proof is below.
+ *
+ * Special cases
+ *    Angles that sum to pi or more leave the angular components without a bound, tolerances that are not finite all
+ *    six.
+ *
+ * Accuracy
+ *    Never less than the truth in random boxes; where angles are up to 1e-3 the truth is more than 90 % of it in the
+ *    best of them (test_the_remainder_holds_in_random_boxes). The series of the exponential leaves out less than 1e-21.
+ *
  * Column k of A is (v_k; w_k): the motion of the tool point and the turn of the tool for a unit error of
  * parameter k; |w_k| is 1 for an angle and 0 for a length, and |v_k| the distance of the tool point from axis
  * k, or 1. Parameters count in the order of the chain. Let e be the errors, |e_k| <= t_k, and follow the arm

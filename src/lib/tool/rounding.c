@@ -46,6 +46,16 @@ void armtol_tool_matrix_clear(const armtol_link links[], size_t n_links, const a
 /*
  * Rounding.
  *
+ * Method
+ *    Roundings are counted to first order along the ways to the exact error and to A; the proof is below.
+ *
+ * Special cases
+ *    Tolerances that are not finite, or a bound that overflows, give infinity.
+ *
+ * Accuracy
+ *    A bound: in 2,000 arms of any size no computation is off by more, against long double
+ *    (test_the_bound_holds_for_all_three_computations).
+ *
  * Let u be half a unit in the last place of 1, and n the number of links. Errors are counted to first order in u; each
  * number below is rounded up by more than the higher orders make, as long as 100 n u is below 1/100.
  *
