@@ -4,11 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static double *doubles(size_t count)
-{
-    return calloc(count, sizeof(double));
-}
-
 bool analysis_start(analysis *analysis, const armtol_robot *robot, const armtol_errata *errata)
 {
     memset(analysis, 0, sizeof *analysis);
@@ -22,33 +17,27 @@ bool analysis_start(analysis *analysis, const armtol_robot *robot, const armtol_
     analysis->n_columns = armtol_column_count(analysis->links, robot->n_links);
     analysis->columns = calloc(analysis->n_columns, sizeof *analysis->columns);
     analysis->order = calloc(analysis->n_columns, sizeof *analysis->order);
-    double **const arrays[] = {&analysis->wish,    &analysis->q,         &analysis->check, &analysis->matrix,
-                               &analysis->ordered, &analysis->machining, &analysis->motor};
-    const size_t counts[] = {robot->n_wish,           robot->n_joints, robot->n_wish,  6 * analysis->n_columns,
-                             6 * analysis->n_columns, robot->n_links,  robot->n_joints};
-    bool complete = analysis->columns != NULL && analysis->order != NULL;
-    for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
-        *arrays[i] = doubles(counts[i]);
-        complete = complete && *arrays[i] != NULL;
-    }
-    if (!complete) {
+    analysis->wish = calloc(2 * (robot->n_wish + robot->n_joints + 6 * analysis->n_columns) + robot->n_links,
+                            sizeof *analysis->wish);
+    if (analysis->columns == NULL || analysis->order == NULL || analysis->wish == NULL) {
         analysis_free(analysis);
+        return false;
     }
-    return complete;
+    analysis->check = analysis->wish + robot->n_wish;
+    analysis->q = analysis->check + robot->n_wish;
+    analysis->motor = analysis->q + robot->n_joints;
+    analysis->matrix = analysis->motor + robot->n_joints;
+    analysis->ordered = analysis->matrix + 6 * analysis->n_columns;
+    analysis->machining = analysis->ordered + 6 * analysis->n_columns;
+    return true;
 }
 
 void analysis_free(analysis *analysis)
 {
     free(analysis->wish);
-    free(analysis->q);
-    free(analysis->check);
     free(analysis->links);
     free(analysis->columns);
     free(analysis->order);
-    free(analysis->matrix);
-    free(analysis->ordered);
-    free(analysis->machining);
-    free(analysis->motor);
 }
 
 armtol_status analysis_place(analysis *analysis, const double wish[])
@@ -75,13 +64,14 @@ static armtol_status check_norms(const analysis *analysis)
                               &analysis->errata, &bounds);
 }
 
-armtol_status analysis_matrix_with_residue(analysis *analysis, const armtol_residue *residue)
+armtol_status analysis_matrix(analysis *analysis, const armtol_residue *residue)
 {
     const size_t n_links = analysis->robot->n_links, n = analysis->n_columns;
+    const armtol_residue left = armtol_skew_residue(analysis->links, n_links, &analysis->errata);
     armtol_status status = armtol_columns(analysis->links, n_links, analysis->columns, n);
     if (status == ARMTOL_OK) {
-        status =
-            armtol_error_matrix_with_residue(analysis->links, n_links, residue, &analysis->errata, analysis->matrix, n);
+        status = armtol_error_matrix_with_residue(analysis->links, n_links, residue != NULL ? residue : &left,
+                                                  &analysis->errata, analysis->matrix, n);
     }
     if (status == ARMTOL_OK) {
         analysis->n_lengths = armtol_column_order(analysis->columns, n, analysis->order);
@@ -89,12 +79,6 @@ armtol_status analysis_matrix_with_residue(analysis *analysis, const armtol_resi
         status = check_norms(analysis);
     }
     return status;
-}
-
-armtol_status analysis_matrix(analysis *analysis)
-{
-    const armtol_residue residue = armtol_skew_residue(analysis->links, analysis->robot->n_links, &analysis->errata);
-    return analysis_matrix_with_residue(analysis, &residue);
 }
 
 static armtol_status part_tolerances(analysis *analysis)
@@ -129,4 +113,14 @@ armtol_status analysis_tolerances(analysis *analysis, const double tolerances[6]
     memcpy(analysis->tolerances, tolerances, sizeof analysis->tolerances);
     analysis->delta = delta;
     return part_tolerances(analysis);
+}
+
+armtol_status analysis_run(analysis *analysis, const double wish[], const armtol_residue *residue,
+                           const double tolerances[6], double delta)
+{
+    armtol_status status = analysis_place(analysis, wish);
+    if (status == ARMTOL_OK) {
+        status = analysis_matrix(analysis, residue);
+    }
+    return status == ARMTOL_OK ? analysis_tolerances(analysis, tolerances, delta) : status;
 }

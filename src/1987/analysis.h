@@ -12,7 +12,7 @@ typedef struct analysis {
     armtol_errata errata;
 
     /* from analysis_place */
-    double *wish;      /* robot->n_wish */
+    double *wish;      /* robot->n_wish; the block of memory that the others lie in */
     double *q;         /* robot->n_joints */
     double *check;     /* robot->n_wish: where q brings the tool */
     armtol_reach reach;
@@ -40,14 +40,14 @@ bool analysis_start(analysis *analysis, const armtol_robot *robot, const armtol_
 void analysis_free(analysis *analysis);
 
 /*
- * The steps, in this order, each once the one before has returned ARMTOL_OK. The wish, robot->n_wish numbers,
- * may be analysis->wish. ARMTOL_NOT_FINITE where what was asked for is too large to compute with.
+ * The steps, in this order, each once the one before has returned ARMTOL_OK; or all of them. The wish, robot->n_wish
+ * numbers, may be analysis->wish. residue: words in the place of what 1987 found on the stack; NULL: what the library
+ * works out. ARMTOL_NOT_FINITE where what was asked for is too large to compute with.
  */
 armtol_status analysis_place(analysis *analysis, const double wish[]);
-armtol_status analysis_matrix(analysis *analysis);
+armtol_status analysis_matrix(analysis *analysis, const armtol_residue *residue);
 armtol_status analysis_tolerances(analysis *analysis, const double tolerances[6], double delta);
-
-/* In the place of analysis_matrix: with these words where 1987 took what it found on the stack. */
-armtol_status analysis_matrix_with_residue(analysis *analysis, const armtol_residue *residue);
+armtol_status analysis_run(analysis *analysis, const double wish[], const armtol_residue *residue,
+                           const double tolerances[6], double delta);
 
 #endif

@@ -113,14 +113,8 @@ static bool take(int option, const char *argument, void *context)
         return parse_run(argument, &options->run);
     case 'f':
         return words_each(argument, fix_one, &options->errata);
-    case 'l':
-        options->action = ACTION_LIST_ERRATA;
-        return true;
-    case 'h':
-        options->action = ACTION_HELP;
-        return true;
     default:
-        options->action = ACTION_VERSION;
+        options->action = option == 'l' ? ACTION_LIST_ERRATA : option == 'h' ? ACTION_HELP : ACTION_VERSION;
         return true;
     }
 }

@@ -22,6 +22,9 @@ typedef struct program {
 extern const program program_intella; /* the Intelledex 605T */
 extern const program program_adpta;   /* the Adept AdeptOne */
 
+/* How many errata are kept. */
+size_t errata_kept(const armtol_errata *errata);
+
 /* Whether the erratum of that index can change the program's results. */
 bool program_shows_erratum(const program *program, size_t index);
 

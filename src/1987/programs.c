@@ -34,6 +34,15 @@ const program program_adpta = {
     .reach_origin = "the axis of joint 1",
 };
 
+size_t errata_kept(const armtol_errata *errata)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < armtol_errata_count(); i++) {
+        kept += armtol_erratum_is_kept(errata, i);
+    }
+    return kept;
+}
+
 bool program_shows_erratum(const program *program, size_t index)
 {
     return strstr(armtol_erratum(index)->changes, program->name) != NULL;

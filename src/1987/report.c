@@ -30,11 +30,8 @@ void report_ordered(FILE *stream, const void *data)
 static void write_head(FILE *stream, const report *report)
 {
     const armtol_errata *errata = &report->analysis->errata;
-    const size_t count = armtol_errata_count();
-    size_t kept = 0, corrected = 0;
-    for (size_t i = 0; i < count; i++) {
-        kept += armtol_erratum_is_kept(errata, i);
-    }
+    const size_t count = armtol_errata_count(), kept = errata_kept(errata);
+    size_t corrected = 0;
     fprintf(stream, "For %s\n", report->program->title);
     if (kept == 0) {
         fputs("errata of 1987 corrected: all\n", stream);

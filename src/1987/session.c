@@ -39,7 +39,7 @@ static bool judge_wish(const double wish[], void *context)
     const program *program = session->program;
     armtol_status status = analysis_place(session->analysis, wish);
     if (status == ARMTOL_OK) {
-        status = analysis_matrix(session->analysis);
+        status = analysis_matrix(session->analysis, NULL);
     }
     switch (status) {
     case ARMTOL_OK:
@@ -135,15 +135,13 @@ static int second_part(session *session, dialogue *dialogue, const folder *folde
 static void tell_of_errata_without_effect(const program *program, const armtol_errata *errata)
 {
     char without[512] = "";
-    size_t kept = 0;
     for (size_t i = 0; i < armtol_errata_count(); i++) {
-        kept += armtol_erratum_is_kept(errata, i);
         if (!armtol_erratum_is_kept(errata, i) && !program_shows_erratum(program, i)) {
             strncat(without, without[0] != '\0' ? ", " : "", sizeof without - strlen(without) - 1);
             strncat(without, armtol_erratum(i)->id, sizeof without - strlen(without) - 1);
         }
     }
-    if (kept > 0 && without[0] != '\0') {
+    if (errata_kept(errata) > 0 && without[0] != '\0') {
         message_note("--fix: in %s this changes nothing: %s", program->name, without);
     }
 }
@@ -151,15 +149,11 @@ static void tell_of_errata_without_effect(const program *program, const armtol_e
 /* Nobody should build an arm to the numbers of 1987 unawares. */
 static void warn_of_errata(const program *program, const armtol_errata *errata)
 {
-    size_t kept = 0;
-    for (size_t i = 0; i < armtol_errata_count(); i++) {
-        kept += armtol_erratum_is_kept(errata, i);
-    }
-    if (kept == armtol_errata_count()) {
-        message_note("These are the numbers of 1987, errata included; for an arm to be built: %s --fix all",
-                     program->name);
-    } else if (kept > 0) {
-        message_note("Some errata of 1987 are still included; for an arm to be built: %s --fix all",
+    const size_t kept = errata_kept(errata);
+    if (kept > 0) {
+        message_note("%s; for an arm to be built: %s --fix all",
+                     kept == armtol_errata_count() ? "These are the numbers of 1987, errata included"
+                                                   : "Some errata of 1987 are still included",
                      program->name);
     }
 }

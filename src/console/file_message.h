@@ -1,6 +1,8 @@
 #ifndef ARMTOL_CONSOLE_FILE_MESSAGE_H
 #define ARMTOL_CONSOLE_FILE_MESSAGE_H
 
+#include "console/message.h"
+
 #include <stdarg.h>
 #include <stddef.h>
 
@@ -12,15 +14,7 @@ typedef struct file_place {
 } file_place;
 
 /* message() with "FILE:LINE:COLUMN: " before the text, which is where editors and compilers have their places. */
-void file_message(const file_place *place, const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
-void file_message_list(const file_place *place, const char *format, va_list arguments)
-#ifdef __GNUC__
-    __attribute__((format(printf, 2, 0)))
-#endif
-    ;
+void file_message(const file_place *place, const char *format, ...) LIKE_PRINTF(2, 3);
+void file_message_list(const file_place *place, const char *format, va_list arguments) LIKE_PRINTF(2, 0);
 
 #endif

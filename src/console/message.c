@@ -50,9 +50,7 @@ static void disarm(char *text, bool lines)
 }
 
 /* A line of its own, or several. */
-#ifdef __GNUC__
-__attribute__((format(printf, 3, 0)))
-#endif
+LIKE_PRINTF(3, 0)
 static void say(const char *before, bool lines, const char *format, va_list arguments)
 {
     char text[6000]; /* the longest path and more */

@@ -4,23 +4,22 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+/* For the compiler to check: argument `text` is printf's format, `rest` the first that goes into it; 0: a list does. */
+#ifdef __GNUC__
+#define LIKE_PRINTF(text, rest) __attribute__((format(printf, text, rest)))
+#else
+#define LIKE_PRINTF(text, rest)
+#endif
+
 /*
  * "NAME: " and the text, on a line of stderr of its own. NAME is what message_start got. Control characters, which
  * a name of a file may hold, come out as question marks.
  */
 void message_start(const char *program_name);
-void message(const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 1, 2)))
-#endif
-    ;
+void message(const char *format, ...) LIKE_PRINTF(1, 2);
 
 /* The same without the name, and in as many lines as the text has: a remark. */
-void message_note(const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 1, 2)))
-#endif
-    ;
+void message_note(const char *format, ...) LIKE_PRINTF(1, 2);
 
 /*
  * Ask on stderr; the line stays open for the answer. A message that comes before message_answered begins a

@@ -12,14 +12,13 @@ enum { LINE = 80 };
 bool table_format_parse(const char *name, table_format *format)
 {
     static const char *const names[FORMAT_COUNT] = {"text", "markdown", "tsv"};
-    for (int i = 0; i < FORMAT_COUNT; i++) {
-        if (strcmp(name, names[i]) == 0) {
-            *format = (table_format)i;
-            return true;
-        }
+    const size_t i = word_among(name, names, FORMAT_COUNT);
+    if (i == FORMAT_COUNT) {
+        message("--format: unknown format %s; expected text, markdown or tsv", message_quote(name, &(quoted){""}));
+        return false;
     }
-    message("--format: unknown format %s; expected text, markdown or tsv", message_quote(name, &(quoted){""}));
-    return false;
+    *format = (table_format)i;
+    return true;
 }
 
 /* Text, cut at its tabs, into the cells behind those of the last row. */

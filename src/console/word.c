@@ -2,6 +2,15 @@
 
 #include <string.h>
 
+size_t word_among(const char *text, const char *const names[], size_t count)
+{
+    size_t i = 0;
+    while (i < count && strcmp(text, names[i]) != 0) {
+        i++;
+    }
+    return i;
+}
+
 bool word_take(const char **at, const char *ends, char word[WORD])
 {
     const size_t length = strcspn(*at, ends);

@@ -4,6 +4,9 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+/* The place of a text among names; count where it is none of them. */
+size_t word_among(const char *text, const char *const names[], size_t count);
+
 /* A word of a list on the command line, a zero behind it. */
 enum { WORD = 64 };
 

@@ -5,6 +5,7 @@
 #include "console/list_room.h"
 #include "console/message.h"
 #include "console/number.h"
+#include "console/word.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -13,17 +14,7 @@
 
 enum { FIELDS = 6, ALL_CASES = -1 };
 
-static bool role_of(const char *text, published_role *role)
-{
-    static const char *const names[ROLE_COUNT] = {"position", "tolerance", "delta", "result"};
-    for (int i = 0; i < ROLE_COUNT; i++) {
-        if (strcmp(text, names[i]) == 0) {
-            *role = (published_role)i;
-            return true;
-        }
-    }
-    return false;
-}
+static const char *const role_names[ROLE_COUNT] = {"position", "tolerance", "delta", "result"};
 
 /* Cut a line at its tabs; the number of fields, at most FIELDS + 1. */
 static int split(char *line, char *fields[FIELDS + 1])
@@ -65,10 +56,11 @@ static bool parse(char *line, published_number *number)
     uint64_t case_number = 0;
     const bool common = strcmp(fields[1], "*") == 0, numbered = whole_number_of(fields[1], 1, 999, &case_number);
     number->case_number = common ? ALL_CASES : (int)case_number;
+    number->role = (published_role)word_among(fields[2], role_names, ROLE_COUNT);
     number->without_sign = strcmp(fields[5], "unsigned") == 0;
     return copy(number->program, sizeof number->program, fields[0]) && (common || numbered) &&
            (strcmp(fields[0], "*") == 0) == common &&
-           role_of(fields[2], &number->role) && copy(number->quantity, sizeof number->quantity, fields[3]) &&
+           number->role < ROLE_COUNT && copy(number->quantity, sizeof number->quantity, fields[3]) &&
            copy(number->value, sizeof number->value, fields[4]);
 }
 

@@ -32,15 +32,11 @@ static armtol_status run_steps(const published_list *list, size_t first, const a
         given(list, first, ROLE_DELTA, errata, &delta, 1) != 1) {
         return ARMTOL_WRONG_SIZE;
     }
-    armtol_status status = analysis_place(analysis, wish);
-    if (status == ARMTOL_OK) {
-        status = residue != NULL ? analysis_matrix_with_residue(analysis, residue) : analysis_matrix(analysis);
-    }
-    return status == ARMTOL_OK ? analysis_tolerances(analysis, tolerances, delta) : status;
+    return analysis_run(analysis, wish, residue, tolerances, delta);
 }
 
-bool recompute_with_residue(const published_list *list, size_t first, const armtol_errata *errata,
-                            const armtol_residue *residue, analysis *analysis)
+bool recompute(const published_list *list, size_t first, const armtol_errata *errata, const armtol_residue *residue,
+               analysis *analysis)
 {
     const published_number *number = &list->numbers[first];
     const program *program = program_named(number->program);
@@ -59,11 +55,6 @@ bool recompute_with_residue(const published_list *list, size_t first, const armt
         analysis_free(analysis);
     }
     return status == ARMTOL_OK;
-}
-
-bool recompute(const published_list *list, size_t first, const armtol_errata *errata, analysis *analysis)
-{
-    return recompute_with_residue(list, first, errata, NULL, analysis);
 }
 
 char *recompute_text(const analysis *analysis, const program *program)
@@ -89,7 +80,7 @@ char *recompute_text(const analysis *analysis, const program *program)
 char *recompute_files(const published_list *list, size_t first, const armtol_errata *errata)
 {
     analysis analysis;
-    if (!recompute(list, first, errata, &analysis)) {
+    if (!recompute(list, first, errata, NULL, &analysis)) {
         return NULL;
     }
     char *text = recompute_text(&analysis, program_named(list->numbers[first].program));

@@ -44,11 +44,13 @@ export const bench = (corrected) => told('page_bench', corrected.join(' ')).case
 /** @param {number[]} words three, 32 bits each @returns {Case[]} */
 export const stack = (words) => told('page_stack', ...words).cases;
 
-/** What a float sees that stands on the word; null for what is no number. */
-export const floatOf = (word) => told('page_word', word).value;
-export const wordOf = (value) => call('page_word_of', 'number', value) >>> 0;
-export const upperHalf = (value) => call('page_half', 'number', value, 1) >>> 0;
-export const lowerHalf = (value) => call('page_half', 'number', value, 0) >>> 0;
+/** What a float sees that stands on the word, nan and infinity too; and the word of a float. */
+export const floatOf = (word) => new Float32Array(Uint32Array.of(word).buffer)[0];
+export const wordOf = (value) => new Uint32Array(Float32Array.of(value).buffer)[0];
+
+const bitsOf = (value) => new BigUint64Array(Float64Array.of(value).buffer)[0];
+export const upperHalf = (value) => Number(bitsOf(value) >> 32n);
+export const lowerHalf = (value) => Number(bitsOf(value) & 0xffffffffn);
 export const toolAlpha = () => call('page_tool_alpha', 'number');
 export const toolResidue = () => [0, 1, 2].map((place) => call('page_tool_residue', 'number', place));
 

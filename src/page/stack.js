@@ -79,10 +79,11 @@ function field(i, changed) {
     node,
     show(word, except) {
       const value = engine.floatOf(word);
+      const fine = Number.isFinite(value);
       if (except !== digits) digits.value = hex(word);
       digits.setAttribute('aria-invalid', 'false');
-      if (except !== slider) slider.value = String(value ?? 0);
-      seen.textContent = value === null ? 'a float sees no number' : `a float sees ${Number(value.toPrecision(9))}`;
+      if (except !== slider) slider.value = String(fine ? value : 0);
+      seen.textContent = fine ? `a float sees ${Number(value.toPrecision(9))}` : 'a float sees no number';
     },
   };
 }

@@ -47,7 +47,7 @@ static void run_corrected(const armtol_robot *robot, const double wish[], analys
 {
     TEST_ASSERT_TRUE(analysis_start(analysis, robot, &armtol_errata_none));
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_place(analysis, wish));
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_matrix(analysis));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_matrix(analysis, NULL));
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_tolerances(analysis, accuracy_1987, .1));
 }
 

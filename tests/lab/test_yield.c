@@ -7,8 +7,6 @@
 #include "lab/yield/case.h"
 #include "lab/yield/column_tolerances.h"
 #include "lab/yield/drawn_arm.h"
-#include "lab/yield/error_size.h"
-#include "lab/yield/farthest.h"
 #include "lab/yield/guarantee.h"
 #include "support/check.h"
 #include "support/process.h"
@@ -50,12 +48,12 @@ static void sample_start(sample *sample, size_t first, length_reading reading)
     analysis made;
     sample->program = published.numbers[first].program;
     sample->number = published.numbers[first].case_number;
-    TEST_ASSERT_TRUE(recompute(&published, first, &armtol_errata_none, &sample->drawn));
+    TEST_ASSERT_TRUE(recompute(&published, first, &armtol_errata_none, NULL, &sample->drawn));
     TEST_ASSERT_TRUE(sample->drawn.n_columns <= MOST);
     sample->arm = (drawn_arm){sample->drawn.links, sample->drawn.robot->n_links, sample->drawn.columns,
                               sample->drawn.n_columns};
     column_tolerances(&sample->drawn, reading, sample->tolerances[SET_CORRECTED]);
-    TEST_ASSERT_TRUE(recompute(&published, first, &armtol_errata_1987, &made));
+    TEST_ASSERT_TRUE(recompute(&published, first, &armtol_errata_1987, NULL, &made));
     column_tolerances(&made, reading, sample->tolerances[SET_PUBLISHED]);
     analysis_free(&made);
 }
@@ -222,7 +220,7 @@ static void check_climb(const sample *sample)
     armtol_corner(sample->drawn.matrix, sample->drawn.n_columns, 0, 1, tolerances, errors);
     drawn_arm_error(&sample->arm, errors, error);
     const double start = error_norm(error);
-    const double end = farthest_from_corner(&sample->arm, tolerances, errors);
+    const double end = drawn_arm_farthest(&sample->arm, tolerances, errors);
     TEST_ASSERT_TRUE(end >= start);
     drawn_arm_error(&sample->arm, errors, error);
     check_same(end, error_norm(error), "the distance where the climb ends");

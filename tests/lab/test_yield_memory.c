@@ -20,7 +20,7 @@ void tearDown(void)
 
 static void test_a_run(void)
 {
-    check_short_main(yield_main, (const char *const[]){"yield", "-n", "1", TEST_ONE_CASE, NULL}, 30);
+    check_short_main(yield_main, (const char *const[]){"yield", "-n", "1", TEST_ONE_CASE, NULL}, 18);
 }
 
 static void test_a_table_that_cannot_be_opened(void)

@@ -109,7 +109,8 @@ static void test_memory_that_runs_out(void)
             TEST_ASSERT_TRUE_MESSAGE(strcmp(names.bytes, code == EXIT_OK ? two.text : "") == 0 ||
                                      (code != EXIT_OK && strcmp(names.bytes, one.text) == 0), names.bytes);
         }
-        TEST_ASSERT_TRUE_MESSAGE(failed >= 8 + FILES, "too few allocations: were they seen?");
+        /* the links, the columns, their order and all numbers; a stream a file */
+        TEST_ASSERT_TRUE_MESSAGE(failed >= 4 + FILES, "too few allocations: were they seen?");
     }
 }
 

@@ -2,6 +2,7 @@
 #define ARMTOL_TABLES_CELLS_H
 
 #include "armtol/tables/text_lines.h"
+#include "console/message.h"
 #include "console/number.h"
 
 #include <stdbool.h>
@@ -49,11 +50,7 @@ void cells_drop_comment(cell_row *row);
 line_result cells_next(cell_row *row, text_lines *lines, char separator);
 
 /* file_message at a cell of the row; where the row has no such cell, at its end. */
-void cells_message(const cell_row *row, size_t index, const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 3, 4)))
-#endif
-    ;
+void cells_message(const cell_row *row, size_t index, const char *format, ...) LIKE_PRINTF(3, 4);
 
 /* Whether it is this word; capitals do not matter. */
 bool cell_is(const cell *cell, const char *word);

@@ -8,6 +8,20 @@
 #include <stdlib.h>
 #include <string.h>
 
+/*
+ * Method
+ *    Degrees times pi/180, and radians over it, in numbers of about 32 digits: sums of two doubles (Dekker 1971). So a
+ *    text is rounded once. To be shown, the fewest digits are tried that are read as the same radians.
+ *
+ * Special cases
+ *    Powers of ten beyond 300 are left to strtod. Where no double of degrees is read as these radians, a decimal number
+ *    beside the best of them is looked for.
+ *
+ * Accuracy
+ *    The nearest double of radians, worked out with eighty digits (test_the_nearest_double_is_taken); every double that
+ *    was tried is had again from its text (test_every_double_has_a_text).
+ */
+
 /* Decimal digits that tell any two doubles apart. */
 enum { DIGITS = 17 };
 

@@ -1,6 +1,8 @@
 #ifndef ARMTOL_TELL_WRAP_H
 #define ARMTOL_TELL_WRAP_H
 
+#include "console/message.h"
+
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -20,11 +22,7 @@ typedef struct wrap {
 void wrap_start(wrap *wrap, FILE *stream, size_t first, size_t indent);
 
 /* More of it, printf-like, a blank before the first word unless a line begins; up to 6,000 bytes at a time. */
-void wrap_say(wrap *wrap, const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+void wrap_say(wrap *wrap, const char *format, ...) LIKE_PRINTF(2, 3);
 
 /* Ends the line. */
 void wrap_end(wrap *wrap);

@@ -20,11 +20,7 @@ typedef struct urdf_element {
 } urdf_element;
 
 /* Fills in the element's fault, the first one; false. */
-bool urdf_element_fault(const urdf_element *element, const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+bool urdf_element_fault(const urdf_element *element, const char *format, ...) LIKE_PRINTF(2, 3);
 
 /* The value of an attribute, NULL where it has none. */
 const char *urdf_attribute(const urdf_element *element, const char *attribute);

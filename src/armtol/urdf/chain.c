@@ -13,31 +13,17 @@ enum { MOST_NAMES = 8 };
 
 typedef struct name_list {
     size_t n;
-    size_t last; /* the link added last */
     char text[MOST_NAMES * (sizeof(quoted) + 32) + 32];
 } name_list;
 
-static void list_add_text(name_list *list, const char *name, const char *remark)
+static void list_add(name_list *list, const urdf_tree *tree, size_t link, const char *remark)
 {
     if (list->n < MOST_NAMES) {
         const size_t at = strlen(list->text);
         snprintf(list->text + at, sizeof list->text - at, "%s%s%s", list->n > 0 ? ", " : "",
-                 message_quote(name, &(quoted){""}), remark);
+                 message_quote(tree->links[link].name, &(quoted){""}), remark);
     }
     list->n++;
-}
-
-static void list_add(name_list *list, const urdf_tree *tree, size_t link)
-{
-    list_add_text(list, tree->links[link].name, "");
-    list->last = link;
-}
-
-static void list_add_joints(name_list *list, const urdf_tree *tree, size_t link, size_t n_joints)
-{
-    char remark[32];
-    snprintf(remark, sizeof remark, " (%zu joint%s)", n_joints, n_joints == 1 ? "" : "s");
-    list_add_text(list, tree->links[link].name, remark);
 }
 
 static const char *list_text(name_list *list)
@@ -72,7 +58,7 @@ static bool find_named(const urdf_tree *tree, const char *name, size_t *link)
     if (*link == URDF_NONE) {
         name_list all = {0};
         for (size_t i = 0; i < tree->n_links; i++) {
-            list_add(&all, tree, i);
+            list_add(&all, tree, i, "");
         }
         message("%s has no link %s; it has %s", tree->path, message_quote(name, &(quoted){""}),
                 list_text(&all));
@@ -85,10 +71,10 @@ static bool find_root(const urdf_tree *tree, size_t *root)
     name_list roots = {0};
     for (size_t i = 0; i < tree->n_links; i++) {
         if (tree->links[i].above == URDF_NONE) {
-            list_add(&roots, tree, i);
+            list_add(&roots, tree, i, "");
+            *root = i;
         }
     }
-    *root = roots.last;
     if (roots.n != 1) {
         message("%s is several trees; choose the link to start from with --base: %s", tree->path,
                 list_text(&roots));
@@ -104,11 +90,6 @@ typedef struct leaf {
     size_t n_moving;
 } leaf;
 
-typedef struct leaf_list {
-    size_t n;
-    leaf *leaves;
-} leaf_list;
-
 /* The joints that move on the way up to the base. */
 static size_t count_moving(const urdf_tree *tree, size_t link, size_t base)
 {
@@ -117,22 +98,6 @@ static size_t count_moving(const urdf_tree *tree, size_t link, size_t base)
         count += urdf_joint_moves(&tree->joints[tree->links[link].above]);
     }
     return count;
-}
-
-static bool list_leaves(const urdf_tree *tree, size_t base, leaf_list *list)
-{
-    list->n = 0;
-    list->leaves = calloc(tree->n_links, sizeof *list->leaves);
-    if (list->leaves == NULL) {
-        out_of_memory();
-        return false;
-    }
-    for (size_t i = 0; i < tree->n_links; i++) {
-        if (tree->links[i].is_leaf && is_below(tree, i, base)) {
-            list->leaves[list->n++] = (leaf){i, count_moving(tree, i, base)};
-        }
-    }
-    return true;
 }
 
 /* The longest chain first, and links in the order of their names. */
@@ -145,11 +110,13 @@ static int compare_leaves(const void *one, const void *other)
     return a->link < b->link ? -1 : a->link > b->link;
 }
 
-static void say_leaves(const urdf_tree *tree, const leaf_list *list, size_t n)
+static void say_leaves(const urdf_tree *tree, const leaf leaves[], size_t n)
 {
     name_list names = {0};
     for (size_t i = 0; i < n; i++) {
-        list_add_joints(&names, tree, list->leaves[i].link, list->leaves[i].n_moving);
+        char remark[32];
+        snprintf(remark, sizeof remark, " (%zu joint%s)", leaves[i].n_moving, leaves[i].n_moving == 1 ? "" : "s");
+        list_add(&names, tree, leaves[i].link, remark);
     }
     message("%s has several links at the end; choose the tool's with --tip: %s", tree->path, list_text(&names));
 }
@@ -158,29 +125,27 @@ static void say_leaves(const urdf_tree *tree, const leaf_list *list, size_t n)
  * What no joint moves is no tool: a camera on the base, a frame for reference. Where nothing moves any of them is as
  * good.
  */
-static bool choose_leaf(const urdf_tree *tree, leaf_list *list, size_t *tip)
-{
-    size_t n = 0;
-    qsort(list->leaves, list->n, sizeof *list->leaves, compare_leaves);
-    while (n < list->n && list->leaves[n].n_moving > 0) {
-        n++;
-    }
-    *tip = list->leaves[0].link;
-    if (n > 1) {
-        say_leaves(tree, list, n);
-    }
-    return n <= 1;
-}
-
 static bool find_leaf(const urdf_tree *tree, size_t base, size_t *tip)
 {
-    leaf_list list;
-    if (!list_leaves(tree, base, &list)) {
+    size_t n = 0, n_moved = 0;
+    leaf *leaves = calloc(tree->n_links, sizeof *leaves);
+    if (leaves == NULL) {
+        out_of_memory();
         return false;
     }
-    const bool fine = choose_leaf(tree, &list, tip);
-    free(list.leaves);
-    return fine;
+    for (size_t i = 0; i < tree->n_links; i++) {
+        if (tree->links[i].is_leaf && is_below(tree, i, base)) {
+            leaves[n] = (leaf){i, count_moving(tree, i, base)};
+            n_moved += leaves[n++].n_moving > 0;
+        }
+    }
+    qsort(leaves, n, sizeof *leaves, compare_leaves);
+    *tip = leaves[0].link;
+    if (n_moved > 1) {
+        say_leaves(tree, leaves, n_moved);
+    }
+    free(leaves);
+    return n_moved <= 1;
 }
 
 /* ---- the way between them ---- */

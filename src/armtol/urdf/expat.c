@@ -48,16 +48,11 @@ static bool read_axis(const urdf_element *element, urdf_joint *joint)
            urdf_attribute_numbers(element, "xyz", 3, joint->axis);
 }
 
-static bool read_parent(const urdf_element *element, urdf_joint *joint)
+static bool read_end(const urdf_element *element, urdf_joint *joint)
 {
     const char *text;
-    return urdf_attribute_text(element, "link", &text) && urdf_tree_keep(&joint->parent_name, text);
-}
-
-static bool read_child(const urdf_element *element, urdf_joint *joint)
-{
-    const char *text;
-    return urdf_attribute_text(element, "link", &text) && urdf_tree_keep(&joint->child_name, text);
+    char **const name = strcmp(element->name, "parent") == 0 ? &joint->parent_name : &joint->child_name;
+    return urdf_attribute_text(element, "link", &text) && urdf_tree_keep(name, text);
 }
 
 /* The format has 0 for the one of the two that is not given; where neither is, we take it as nothing said. */
@@ -90,7 +85,7 @@ static const struct {
     bool (*read)(const urdf_element *element, urdf_joint *joint);
 } parts[PARTS] = {
     [PART_ORIGIN] = {"origin", read_origin}, [PART_AXIS] = {"axis", read_axis},
-    [PART_PARENT] = {"parent", read_parent}, [PART_CHILD] = {"child", read_child},
+    [PART_PARENT] = {"parent", read_end},    [PART_CHILD] = {"child", read_end},
     [PART_LIMIT] = {"limit", read_limit},    [PART_MIMIC] = {"mimic", read_mimic},
 };
 
@@ -207,15 +202,6 @@ static bool a_second(const parser *parser, const urdf_element *element)
     return false;
 }
 
-static bool begin_inertial(parser *parser, const urdf_element *element)
-{
-    if (parser->has_inertial) {
-        return a_second(parser, element);
-    }
-    parser->has_inertial = true;
-    return true;
-}
-
 static bool read_mass(const urdf_element *element, urdf_link *link)
 {
     const char *text;
@@ -321,7 +307,9 @@ static bool begin_thing(parser *parser, const urdf_element *element)
 static bool begin_below(parser *parser, const urdf_element *element)
 {
     if (parser->in_link && parser->depth == 3 && strcmp(element->name, "inertial") == 0) {
-        return begin_inertial(parser, element);
+        const bool second = parser->has_inertial;
+        parser->has_inertial = true;
+        return !second || a_second(parser, element);
     }
     parser->passed_over = parser->depth;
     if (parser->in_link) {

@@ -33,15 +33,6 @@ static void move_point(const armtol_transform *by, const double point[3], double
     }
 }
 
-/* One mass more, its center in the base's coordinates: for now the sum of masses times centers. */
-static void add_mass(armtol_mass *to, double mass, const double center[3])
-{
-    to->mass += mass;
-    for (int i = 0; i < 3; i++) {
-        to->center[i] += mass * center[i];
-    }
-}
-
 /* The place of the link that an axis moves. */
 static size_t link_of_axis(const armtol_link links[], size_t axis)
 {
@@ -76,9 +67,13 @@ bool urdf_masses_make(const urdf_tree *tree, urdf_carried carried[], const armto
     for (size_t i = 0; i < tree->n_links; i++) {
         find_carried(tree, carried, i, way);
         if (tree->links[i].mass > 0 && carried[i].axis > 0) {
+            armtol_mass *to = &masses[link_of_axis(links, carried[i].axis)];
             double center[3];
             move_point(&carried[i].at, tree->links[i].center, center);
-            add_mass(&masses[link_of_axis(links, carried[i].axis)], tree->links[i].mass, center);
+            to->mass += tree->links[i].mass;
+            for (int k = 0; k < 3; k++) { /* for now the sum of masses times centers, in the base's coordinates */
+                to->center[k] += tree->links[i].mass * center[k];
+            }
         }
     }
     for (size_t i = 0; i < n_links; i++) {

@@ -37,14 +37,13 @@ void orders_options_help(void)
 static bool parse_part(const char *name, void *context)
 {
     orders_options *options = context;
-    for (int i = 0; i < PART_COUNT; i++) {
-        if (strcmp(name, orders_part_names[i]) == 0) {
-            options->show[i] = true;
-            return true;
-        }
+    const size_t part = word_among(name, orders_part_names, PART_COUNT);
+    if (part == PART_COUNT) {
+        message("--show: unknown part %s; expected parts as in --help", message_quote(name, &(quoted){""}));
+        return false;
     }
-    message("--show: unknown part %s; expected parts as in --help", message_quote(name, &(quoted){""}));
-    return false;
+    options->show[part] = true;
+    return true;
 }
 
 static bool parse_given(const char *text, void *context)
@@ -78,11 +77,8 @@ static bool take(int option, const char *argument, void *context)
         return words_each(argument, parse_given, options);
     case 'f':
         return table_format_parse(argument, &options->format);
-    case 'h':
-        options->action = ORDERS_HELP;
-        return true;
     default:
-        options->action = ORDERS_VERSION;
+        options->action = option == 'h' ? ORDERS_HELP : ORDERS_VERSION;
         return true;
     }
 }

@@ -1,5 +1,6 @@
 #include "lab/joint_orders/tables.h"
 
+#include "console/message.h"
 #include "lab/joint_orders/elsewhere.h"
 
 #include <inttypes.h>
@@ -24,9 +25,7 @@ typedef struct label {
 } label;
 
 /* printf to the end of a label; what is too long is cut. */
-#ifdef __GNUC__
-__attribute__((format(printf, 2, 3)))
-#endif
+LIKE_PRINTF(2, 3)
 static void append(label *label, const char *format, ...)
 {
     const size_t length = strlen(label->text);

@@ -11,7 +11,7 @@
 static bool add_bounds(const published_list *list, size_t first, const armtol_errata *errata, table *table)
 {
     analysis analysis;
-    const bool fine = !table->failed && recompute(list, first, errata, &analysis);
+    const bool fine = !table->failed && recompute(list, first, errata, NULL, &analysis);
     if (fine) {
         table_add_cells(table, "%.6f\t%.6f", analysis.bounds.distance, analysis.bounds.angle);
         analysis_free(&analysis);

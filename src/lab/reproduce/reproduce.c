@@ -110,24 +110,14 @@ static bool run_all(const run_settings *settings, const published_list *list)
     return fine;
 }
 
-static const char *remark_of(verdict verdict)
-{
-    switch (verdict) {
-    case VERDICT_AGREES:
-        return "agrees";
-    case VERDICT_AGREES_WITHOUT_SIGN:
-        return "agrees; the paper prints no sign";
-    case VERDICT_DIFFERS:
-        return "DIFFERS";
-    default:
-        return "MISSING";
-    }
-}
-
 static void print_number(const published_number *number, const comparison *comparison)
 {
+    static const char *const remarks[] = {
+        [VERDICT_AGREES] = "agrees", [VERDICT_AGREES_WITHOUT_SIGN] = "agrees; the paper prints no sign",
+        [VERDICT_DIFFERS] = "DIFFERS", [VERDICT_MISSING] = "MISSING",
+    };
     printf("  %-43s %12s %12s   %s\n", number->quantity, number->value, comparison->computed,
-           remark_of(comparison->verdict));
+           remarks[comparison->verdict]);
 }
 
 static void print_case(const published_list *list, size_t first)

@@ -1,6 +1,7 @@
 #ifndef ARMTOL_LAB_REPRODUCE_RUN_CASE_H
 #define ARMTOL_LAB_REPRODUCE_RUN_CASE_H
 
+#include "console/message.h"
 #include "lab/published.h"
 
 #include <stdbool.h>
@@ -31,10 +32,6 @@ typedef struct path {
 } path;
 
 /* "a/b/c" from printf's arguments; false, after a message, where it is too long. */
-bool path_of(path *path, const char *format, ...)
-#ifdef __GNUC__
-    __attribute__((format(printf, 2, 3)))
-#endif
-    ;
+bool path_of(path *path, const char *format, ...) LIKE_PRINTF(2, 3);
 
 #endif

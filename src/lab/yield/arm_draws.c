@@ -1,7 +1,6 @@
 #include "lab/yield/arm_draws.h"
 
 #include "armtol/sampler.h"
-#include "lab/yield/error_size.h"
 
 #include <stdlib.h>
 

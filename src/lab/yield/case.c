@@ -5,8 +5,6 @@
 #include "lab/recompute.h"
 #include "lab/yield/column_tolerances.h"
 #include "lab/yield/drawn_arm.h"
-#include "lab/yield/error_size.h"
-#include "lab/yield/farthest.h"
 #include "lab/yield/guarantee.h"
 
 #include <math.h>
@@ -30,7 +28,7 @@ static double visit_corner(const box *box, size_t row, int sign, set_result *res
     if (row < 3 && error_largest(error) > result->worst.largest) {
         result->worst = (corner){row, sign, error_largest(error), error_norm(error)};
     }
-    result->farthest = fmax(result->farthest, farthest_from_corner(box->arm, box->tolerances, box->errors));
+    result->farthest = fmax(result->farthest, drawn_arm_farthest(box->arm, box->tolerances, box->errors));
     return error[row];
 }
 
@@ -89,10 +87,10 @@ int yield_case_run(const published_list *list, size_t first, const yield_options
                    yield_case *result)
 {
     analysis published, corrected;
-    if (!recompute(list, first, &armtol_errata_1987, &published)) {
+    if (!recompute(list, first, &armtol_errata_1987, NULL, &published)) {
         return EXIT_WRONG;
     }
-    if (!recompute(list, first, &armtol_errata_none, &corrected)) {
+    if (!recompute(list, first, &armtol_errata_none, NULL, &corrected)) {
         analysis_free(&published);
         return EXIT_WRONG;
     }

@@ -1,19 +1,6 @@
 #include "lab/yield/column_tolerances.h"
 
 #include <math.h>
-#include <string.h>
-
-bool length_reading_of(const char *name, length_reading *reading)
-{
-    static const char *const names[LENGTH_READING_COUNT] = {"share", "rd"};
-    for (int i = 0; i < LENGTH_READING_COUNT; i++) {
-        if (strcmp(name, names[i]) == 0) {
-            *reading = (length_reading)i;
-            return true;
-        }
-    }
-    return false;
-}
 
 static bool has_one_length(const armtol_link *link)
 {

@@ -19,9 +19,6 @@ typedef enum length_reading {
     LENGTH_READING_COUNT
 } length_reading;
 
-/* "share" or "rd". */
-bool length_reading_of(const char *name, length_reading *reading);
-
 /*
  * What the parameter of each column of A may be off, in a complete analysis; magnitudes, where the erratum
  * signed-mach gives a negative one. The parameter that a joint moves has the tolerance of the joint's motor,

@@ -4,6 +4,7 @@
 #include "console/flags.h"
 #include "console/message.h"
 #include "console/number.h"
+#include "console/word.h"
 
 #include <stdio.h>
 
@@ -39,11 +40,12 @@ static bool parse_samples(const char *text, size_t *samples)
 
 static bool parse_reading(const char *text, length_reading *reading)
 {
-    const bool fine = length_reading_of(text, reading);
-    if (!fine) {
+    static const char *const names[LENGTH_READING_COUNT] = {"share", "rd"};
+    *reading = (length_reading)word_among(text, names, LENGTH_READING_COUNT);
+    if (*reading == LENGTH_READING_COUNT) {
         message("--lengths: unknown reading %s; expected share or rd", message_quote(text, &(quoted){""}));
     }
-    return fine;
+    return *reading < LENGTH_READING_COUNT;
 }
 
 static const struct option long_options[] = {
@@ -65,11 +67,8 @@ static bool take(int option, const char *argument, void *context)
         return parse_reading(argument, &options->reading);
     case 'f':
         return table_format_parse(argument, &options->format);
-    case 'h':
-        options->action = YIELD_HELP;
-        return true;
     default:
-        options->action = YIELD_VERSION;
+        options->action = option == 'h' ? YIELD_HELP : YIELD_VERSION;
         return true;
     }
 }

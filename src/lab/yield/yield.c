@@ -11,17 +11,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static size_t count_cases(const published_list *list)
-{
-    size_t count = 0;
-    for (size_t i = 0; i < list->count; i++) {
-        count += published_begins_case(list, i);
-    }
-    return count;
-}
-
-static int run_cases(const published_list *list, const yield_options *options, yield_case cases[],
-                     size_t n_cases)
+static int run_cases(const published_list *list, const yield_options *options, yield_case cases[])
 {
     size_t done = 0;
     for (size_t i = 0; i < list->count; i++) {
@@ -32,18 +22,17 @@ static int run_cases(const published_list *list, const yield_options *options, y
             }
         }
     }
-    return yield_tables_print(cases, n_cases, options) ? EXIT_OK : EXIT_FAILED;
+    return yield_tables_print(cases, done, options) ? EXIT_OK : EXIT_FAILED;
 }
 
 static int run(const published_list *list, const yield_options *options)
 {
-    const size_t n_cases = count_cases(list);
-    yield_case *cases = calloc(n_cases, sizeof *cases);
+    yield_case *cases = calloc(list->count, sizeof *cases); /* no more than there are numbers */
     if (cases == NULL) {
         out_of_memory();
         return EXIT_FAILED;
     }
-    const int code = run_cases(list, options, cases, n_cases);
+    const int code = run_cases(list, options, cases);
     free(cases);
     return code;
 }

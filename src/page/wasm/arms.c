@@ -7,7 +7,6 @@
 #include "console/exit_code.h"
 #include "lab/yield/arm_draws.h"
 #include "lab/yield/column_tolerances.h"
-#include "lab/yield/error_size.h"
 #include "page/wasm/page.h"
 #include "page/wasm/told.h"
 
@@ -145,21 +144,12 @@ static bool tell_arms(json *json, const char *name, const analysis *drawn, const
     return true;
 }
 
-static armtol_status run_steps(analysis *analysis, const double wish[], const double given[7])
-{
-    armtol_status status = analysis_place(analysis, wish);
-    if (status == ARMTOL_OK) {
-        status = analysis_matrix(analysis);
-    }
-    return status == ARMTOL_OK ? analysis_tolerances(analysis, given, given[6]) : status;
-}
-
 static const char *cloud_of(analysis *published, analysis *corrected, const double wish[], const double given[7],
                             size_t count, uint64_t seed)
 {
-    armtol_status status = run_steps(published, wish, given);
+    armtol_status status = analysis_run(published, wish, NULL, given, given[6]);
     if (status == ARMTOL_OK) {
-        status = run_steps(corrected, wish, given);
+        status = analysis_run(corrected, wish, NULL, given, given[6]);
     }
     if (status != ARMTOL_OK) {
         return told_error(armtol_status_text(status));

@@ -77,7 +77,7 @@ static void tell_case(json *json, size_t first, const armtol_errata *errata, con
     json_open_object(json, NULL);
     json_text(json, "program", number->program);
     json_count(json, "number", (uint64_t)number->case_number);
-    if (recompute_with_residue(&published, first, errata, residue, &analysis)) {
+    if (recompute(&published, first, errata, residue, &analysis)) {
         char *files = recompute_text(&analysis, program_named(number->program));
         json_number(json, "distance", analysis.bounds.distance);
         json_number(json, "angle", analysis.bounds.angle);
@@ -123,31 +123,6 @@ const char *page_stack(uint32_t first, uint32_t second, uint32_t third)
 {
     const armtol_residue residue = {{float_of_word(first), float_of_word(second), float_of_word(third)}};
     return tell_cases(&armtol_errata_1987, &residue);
-}
-
-const char *page_word(uint32_t word)
-{
-    json *json = told_begin();
-    if (json == NULL) {
-        return "{}";
-    }
-    json_number(json, "value", float_of_word(word));
-    return told_end();
-}
-
-uint32_t page_word_of(double value)
-{
-    const float seen = (float)value;
-    uint32_t word;
-    memcpy(&word, &seen, sizeof word);
-    return word;
-}
-
-uint32_t page_half(double value, int upper)
-{
-    uint64_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return (uint32_t)(upper ? bits >> 32 : bits);
 }
 
 /* The links of the Adept as adpta stores them, all joints at 0: its tool has none. */

@@ -20,13 +20,6 @@ const char *page_bench(const char *corrected);
 /* The same with all errata kept and these three words on the stack of adpta, read as floats. */
 const char *page_stack(uint32_t first, uint32_t second, uint32_t third);
 
-/* What a float variable sees that stands on that word, as JSON: nan and infinity are null. And the word of a float. */
-const char *page_word(uint32_t word);
-uint32_t page_word_of(double value);
-
-/* The upper or the lower 32 bits of a double. */
-uint32_t page_half(double value, int upper);
-
 /* alpha of the Adept's tool as adpta keeps it: in a float. */
 double page_tool_alpha(void);
 

@@ -53,7 +53,7 @@ static void analyse(int index, const armtol_errata *errata)
     analysis_free(&with);
     TEST_ASSERT_TRUE(analysis_start(&with, cases[index].robot, errata));
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_place(&with, wish));
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_matrix(&with));
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_matrix(&with, NULL));
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, analysis_tolerances(&with, tolerances, armtol_stored(errata, 0.1)));
 }
 
