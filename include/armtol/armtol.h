@@ -3,9 +3,7 @@
 
 /* Everything, in groups. The equations are those of Hahn 1987. */
 
-/*
- * What all the others mean: frames, units, storage; what can go wrong; where the programs are not what the report says.
- */
+/* What all the others mean: frames, units, storage; what can go wrong; where the programs differ from the report. */
 #include "armtol/conventions.h"
 #include "armtol/errata.h"
 #include "armtol/interface.h"
@@ -22,7 +20,7 @@
 #include "armtol/error_matrix.h"
 #include "armtol/link_jacobian.h"
 
-/* The bounds, Eqs (4.25) to (4.31), what they leave a shop, Eq. (4.32), and what a drawing allows, Eqs (4.14) to (4.19). */
+/* The bounds, Eqs (4.25) to (4.31); what they leave a shop, Eq. (4.32); what a drawing allows, Eqs (4.14) to (4.19). */
 #include "armtol/bounds.h"
 #include "armtol/drawing.h"
 #include "armtol/machining.h"

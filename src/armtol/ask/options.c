@@ -406,8 +406,8 @@ static const char *fault_of_comparison(const cli_options *options)
     if (options->against != NULL && options->deviations != NULL) {
         return "--against and --deviations exclude each other";
     }
-    if (options->accuracy != NULL || options->tolerances != NULL || options->given != NULL || options->weights != NULL ||
-        options->budget || options->verify != 0) {
+    if (options->accuracy != NULL || options->tolerances != NULL || options->given != NULL ||
+        options->weights != NULL || options->budget || options->verify != 0) {
         return "--against and --deviations compare two arms; expected no --accuracy, --tolerances, --given, --weights, "
                "--budget or --verify beside them";
     }
