@@ -18,7 +18,8 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz mutants robots
 .PHONY: page test-page check-nlopt
-.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
+.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean
+.PHONY: setup
 
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
@@ -71,15 +72,15 @@ check-faults: tests $(BUILD)/wished-valgrind
 	@$(CTEST) --tests-regex '^fault_'
 	@tests/faults/summary $(BUILD)/Testing/Temporary/LastTest.log
 
-# All that is read, given whatever clang's libFuzzer makes up: FUZZ_SECONDS for each of the harnesses, JOBS at a time. The
-# inputs that reach something new stay in the build folder.
+# All that is read, given whatever clang's libFuzzer makes up: FUZZ_SECONDS for each of the harnesses, JOBS at a time.
+# The inputs that reach something new stay in the build folder.
 FUZZ_SECONDS ?= 600
 fuzz: setup $(BUILD)/wished-expat
 	@.ci/setup clang
 	@tests/fuzz/run-fuzzers $(BUILD)/fuzz $(FUZZ_SECONDS) $(JOBS)
 
-# Every chain of every robot that three Python packages ship, read and compared with a plain reader. Needs Python and its
-# package index; takes some minutes the first time.
+# Every chain of every robot that three Python packages ship, read and compared with a plain reader. Needs Python and
+# its package index; takes some minutes the first time.
 robots: all
 	@.ci/setup venv
 	@tests/robots/robots $(BUILD)/armtol $(abspath $(BUILD))/robots
@@ -111,7 +112,8 @@ exercises: all
 	@.ci/setup --wish python3
 	@BUILD=$(BUILD) docs/lab-book/check-exercise --all
 
-# All of it in one HTML file, build/page/index.html: docs/page.md. Needs Debian's emscripten and sources, and npm's packages.
+# All of it in one HTML file, build/page/index.html: docs/page.md. Needs Debian's emscripten and sources, and npm's
+# packages.
 page: all
 	@.ci/setup emcc node npm
 	@src/page/make/page . $(BUILD)

@@ -108,7 +108,7 @@ typedef struct armtol_arm {
     const armtol_drive *drives; /* n_links, a link's own; those of fixed links mean nothing */
     const armtol_mass *masses;  /* n_links; NULL where they are not known */
     const armtol_motion *motions; /* n_links, not of fixed links; NULL: each joint moves by itself, with sign 1 */
-    const char *const *names;     /* n_links, of the links and their joints, UTF-8; one, or all, NULL where it has none */
+    const char *const *names; /* n_links, of the links and their joints, UTF-8; one, or all, NULL where it has none */
 } armtol_arm;
 
 /* Whether the link has a joint that moves by itself: one of those that have a value in q. */

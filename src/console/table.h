@@ -57,8 +57,8 @@ void table_print_title(const char *title, const char *remark, table_format forma
 
 /*
  * Print a table, below its title unless that is NULL, and free it: the first column to the left, the others to the
- * right. As text no line has more than 80 characters, unless two columns do: a wider table comes in parts below each other,
- * each with the first column. False where a row had found no memory: nothing is printed.
+ * right. As text no line has more than 80 characters, unless two columns do: a wider table comes in parts below each
+ * other, each with the first column. False where a row had found no memory: nothing is printed.
  */
 bool table_finish(table *table, const char *title, const char *remark, table_format format, FILE *stream);
 

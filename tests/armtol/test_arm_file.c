@@ -297,8 +297,9 @@ static void check_note(const char *expected, const char *last)
 
 static void test_a_last_link_that_counts_no_length_is_noted(void)
 {
-    static const char note[] = "armtol: arm.csv:4:2: note: the last link is ppr, which counts its d, the length of the tool, "
-                               "as exact; npr, as auto makes it, does not\n";
+    static const char note[] =
+        "armtol: arm.csv:4:2: note: the last link is ppr, which counts its d, the length of the tool, "
+        "as exact; npr, as auto makes it, does not\n";
     check_note(note, " ppr theta 0 0 100 0");
     check_note(note, " ppr theta 60 180 -100 0");
     check_note("", " ppr theta 60 0 0 0");
@@ -339,13 +340,16 @@ static void test_the_tables_of_the_documentation(void)
 #define HEAD UNITS "joint,a,alpha,d,theta\n"
 #define FULL UNITS "kind,joint,a,alpha,d,theta,beta,low,high,backlash,compliance,moment\n"
 #define EXPECTED_UNITS "expected a unit of length, mm, m or in, and one of angles, deg or rad"
-#define EXPECTED_COLUMNS \
-    "expected name, kind, joint, a, alpha, d, theta, beta, sign, couple, multiplier, offset, low, high, backlash, compliance or stiffness, moment, " \
+#define EXPECTED_COLUMNS                                                                                               \
+    "expected name, kind, joint, a, alpha, d, theta, beta, sign, couple, multiplier, offset, low, high, backlash, "    \
+    "compliance or stiffness, moment, "                                                                                \
     "resolution or bits, friction, mass, com_x, com_y or com_z"
-#define NEITHER " is neither a key (name, title, source, units, order) nor a column (name, kind, joint, a, alpha, d, theta, ...)"
-#define NO_TABLE \
-    "the file ends before a table of links; expected a row of names: joint, a, alpha, d, theta and, as needed, " \
-    "name, kind, beta, sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, friction, mass, com_x, com_y, com_z"
+#define NEITHER                                                                                                        \
+    " is neither a key (name, title, source, units, order) nor a column (name, kind, joint, a, alpha, d, theta, ...)"
+#define NO_TABLE                                                                                                       \
+    "the file ends before a table of links; expected a row of names: joint, a, alpha, d, theta and, as needed, "       \
+    "name, kind, beta, sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, "        \
+    "friction, mass, com_x, com_y, com_z"
 #define SAVE_AS "save the table as UTF-8 (in a spreadsheet: CSV, UTF-8)"
 
 static void test_wrong_keys(void)
@@ -477,7 +481,8 @@ static void test_rows_that_contradict_themselves(void)
     check_drive("3:16: com_y without mass", "com_y", "-1");
     check_drive("3:18: stiffness beside compliance; expected one of the two", "compliance,stiffness", "1,1");
     check_drive("3:18: bits beside resolution; expected one of the two", "resolution,bits", "1,1");
-    check_refused("3:11: bits are those of a turn; expected resolution", UNITS "joint,a,alpha,d,theta,bits\nd,0,0,0,0,17\n");
+    check_refused("3:11: bits are those of a turn; expected resolution",
+                  UNITS "joint,a,alpha,d,theta,bits\nd,0,0,0,0,17\n");
     check_full("3:26: moment without compliance; only their product counts", "npr,theta,0,90,0,0,,,,,-,1\n");
     check_full("3:21: a fixed link has no low; expected - or an empty cell", "npr,fixed,0,90,0,0,,0,1\n");
     check_full("3:21: low: \"inf\" is not a finite number", "npr,theta,0,90,0,0,,inf,\n");

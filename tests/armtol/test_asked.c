@@ -212,8 +212,9 @@ static string with_alpha_free(void)
 static void test_a_table_of_tolerances_says_so(void)
 {
     process process;
-    run_well(&process, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", ".5,.5,.5,-,-,-",
-                                                   "--csv", NULL});
+    run_well(
+        &process, NULL,
+        (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--accuracy", ".5,.5,.5,-,-,-", "--csv", NULL});
     check_says(&process, "\n5,npr,theta,motor,0,inf,deg\n");
 }
 
@@ -246,8 +247,9 @@ static void test_what_has_no_bound_is_null_in_json(void)
 
 static void test_a_wish_for_it_is_answered_but_not_verified(void)
 {
-    static const char message[] = "armtol: --verify: the tolerances leave wx without a bound; expected finite ones for all "
-                                  "that wx depends on, or - in its place in --accuracy\n";
+    static const char message[] =
+        "armtol: --verify: the tolerances leave wx without a bound; expected finite ones for all "
+        "that wx depends on, or - in its place in --accuracy\n";
     const string folder = with_alpha_free();
     process process;
     run_well(&process, folder.text, (const char *const[]){GIVEN, "--accuracy", "1,1,1,.1,.1,.1", NULL});
@@ -272,7 +274,8 @@ static void test_a_limit_may_stand_on_one_side(void)
         {"0", "-", "-5", "-5 is beyond its limits; expected 0 to inf deg (--ignore-limits sets limits aside)"},
         {"0", "inf", "-1e-6", "-1e-06 is beyond its limits; expected 0 to inf deg (--ignore-limits sets limits aside)"},
         {"-inf", "90", "450", "450 is beyond its limits; expected -inf to 90 deg (--ignore-limits sets limits aside)"},
-        {"-", "90", "90.000001", "90.000001 is beyond its limits; expected -inf to 90 deg (--ignore-limits sets limits aside)"},
+        {"-", "90", "90.000001",
+         "90.000001 is beyond its limits; expected -inf to 90 deg (--ignore-limits sets limits aside)"},
         {"0", "-", "5000", NULL},
         {"-", "90", "-5000", NULL},
         {"0", "90", "-1e-9", NULL}, /* limits are rounded too */
@@ -330,9 +333,9 @@ static void test_a_stiffness_is_what_a_compliance_is_not(void)
     process stiff, yielding;
     run_well(&stiff, NULL, (const char *const[]){"puma560", "--joints", "0,.8,-1.6,0,.8,0", "--accuracy", "5,5,5,1,1,1",
                                                  "--payload", "5", "--json", "--drives", "stiffness=65536", NULL});
-    run_well(&yielding, NULL, (const char *const[]){"puma560", "--joints", "0,.8,-1.6,0,.8,0", "--accuracy", "5,5,5,1,1,1",
-                                                    "--payload", "5", "--json", "--drives", "compliance=0.0000152587890625",
-                                                    NULL});
+    run_well(&yielding, NULL,
+             (const char *const[]){"puma560", "--joints", "0,.8,-1.6,0,.8,0", "--accuracy", "5,5,5,1,1,1", "--payload",
+                                   "5", "--json", "--drives", "compliance=0.0000152587890625", NULL});
     check_same(&stiff, &yielding, "stiffness");
 }
 
@@ -368,8 +371,9 @@ static void test_many_loaded_poses_are_counted_and_not_listed(void)
     }
     file_write(string_of("%s/poses.txt", folder.text).text, poses.bytes);
     process process;
-    run_well(&process, folder.text, (const char *const[]){"puma560", "--poses", "poses.txt", "--accuracy", "5,5,5,1,1,1",
-                                                          "--drives", "stiffness=65536", "--payload", "5", NULL});
+    run_well(&process, folder.text,
+             (const char *const[]){"puma560", "--poses", "poses.txt", "--accuracy", "5,5,5,1,1,1", "--drives",
+                                   "stiffness=65536", "--payload", "5", NULL});
     check_says(&process, "  and 28 more poses (--json has all)\n");
 }
 
@@ -466,7 +470,8 @@ static void test_a_million_poses_are_enough(void)
 static void test_an_arm_may_come_through_a_pipe_behind_empty_lines(void)
 {
     process shown, again;
-    const process_setup setup = {.program = TEST_ARMTOL, .arguments = (const char *const[]){"/dev/stdin", "--show", NULL}};
+    const process_setup setup = {.program = TEST_ARMTOL,
+                                 .arguments = (const char *const[]){"/dev/stdin", "--show", NULL}};
     run_well(&shown, NULL, (const char *const[]){"stanford", "--show", NULL});
     const string input = string_of("\n\n%s", shown.output.bytes);
     process_run(&again, &setup, input.text);
@@ -481,7 +486,8 @@ static void test_an_arm_through_a_pipe_has_a_largest_size(void)
     static char line[1 << 15];
     memset(line, ' ', sizeof line);
     line[sizeof line - 1] = '\n';
-    const process_setup setup = {.program = TEST_ARMTOL, .arguments = (const char *const[]){"/dev/stdin", "--show", NULL}};
+    const process_setup setup = {.program = TEST_ARMTOL,
+                                 .arguments = (const char *const[]){"/dev/stdin", "--show", NULL}};
     process process;
     process_start(&process, &setup);
     for (int i = 0; i <= LINES; i++) {
@@ -524,7 +530,8 @@ static void test_an_arm_of_too_large_numbers_is_refused(void)
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
-        const string content = string_of("units: mm rad\njoint,d,theta,a,alpha\n%s\nfixed,1e308,0,1e308,0\n", rows[i][0]);
+        const string content =
+            string_of("units: mm rad\njoint,d,theta,a,alpha\n%s\nfixed,1e308,0,1e308,0\n", rows[i][0]);
         process process;
         file_write(file.text, content.text);
         run(&process, folder.text, (const char *const[]){"my.csv", "--joints", rows[i][1], "--accuracy", WISH, NULL});
@@ -604,7 +611,8 @@ static void test_a_title_is_escaped_in_json(void)
 {
     const string folder = folder_new(), file = string_of("%s/my.csv", folder.text);
     process process;
-    file_write(file.text, "name: my\ntitle: \"x \"\"a\"\" \\ \tb\"\nunits: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
+    file_write(file.text,
+               "name: my\ntitle: \"x \"\"a\"\" \\ \tb\"\nunits: mm rad\njoint,a,alpha,d,theta\ntheta,100,0,0,0\n");
     run_well(&process, folder.text, (const char *const[]){"my.csv", "--joints", "0", "--accuracy", "1,1,-,-,-,.1",
                                                           "--json", NULL});
     check_says(&process, "\"x \\\"a\\\" \\\\ \\u0009b\"");

@@ -148,7 +148,8 @@ static void test_masses_stay_where_they_are(void)
 
 static void test_a_table_laid_anew_says_so(void)
 {
-    static const char said[] = "Laid anew: frames of the table lie up to 343775 mm off the arm (--as-is keeps\nthem).\n";
+    static const char said[] =
+        "Laid anew: frames of the table lie up to 343775 mm off the arm (--as-is keeps\nthem).\n";
     const string folder = folder_new(), file = string_of("%s/far.csv", folder.text);
     process process;
     file_write(file.text, FAR);

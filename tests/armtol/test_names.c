@@ -1,6 +1,6 @@
 /*
- * Names of links and joints: where tables have them, where people are shown them, and where people type them. What a name
- * means is known from its place in the table; no number depends on it.
+ * Names of links and joints: where tables have them, where people are shown them, and where people type them. What a
+ * name means is known from its place in the table; no number depends on it.
  */
 
 #include "armtol/runs.h"
@@ -103,14 +103,18 @@ static void test_the_column_is_written_back(void)
                       (const char *const[]){"again.csv", "--show", "--json", NULL});
 }
 
-/* The head row begins with a word that is a key too: with quotes around it, between blanks, in capitals, with a comment. */
+/*
+ * The head row begins with a word that is a key too: with quotes around it, between blanks, in capitals, with a
+ * comment.
+ */
 static void test_the_column_may_come_first(void)
 {
     const char *const names[] = {"column", "boom", "-"};
     const char *const show[] = {"arm.csv", "--show", NULL};
     process process;
     static const char *const heads[] = {HEAD, "\"name\",\"kind\",\"joint\",\"a\",\"alpha\",\"d\",\"theta\"",
-                                        "Name,kind,joint,a,alpha,d,theta # links", "name , kind,joint,a,alpha_{i-1},d,theta"};
+                                        "Name,kind,joint,a,alpha,d,theta # links",
+                                        "name , kind,joint,a,alpha_{i-1},d,theta"};
     for (size_t i = 0; i < sizeof heads / sizeof heads[0]; i++) {
         write_arm("arm.csv", heads[i], names);
         run(&process, folder, show);
@@ -118,8 +122,10 @@ static void test_the_column_may_come_first(void)
             process_check_status(&process, 0, heads[i]);
             check_says(&process, "\nboom,   npp,");
         } else {
-            TEST_ASSERT_EQUAL_STRING("armtol: arm.csv:3:21: \"alpha_{i-1}\" is of the link before, as in Craig's order; "
-                                     "expected a line \"order: craig\" above the table\n", process.errors.bytes);
+            TEST_ASSERT_EQUAL_STRING(
+                "armtol: arm.csv:3:21: \"alpha_{i-1}\" is of the link before, as in Craig's order; "
+                "expected a line \"order: craig\" above the table\n",
+                process.errors.bytes);
         }
     }
     write_file("arm.csv", "name the joint\nunits m rad\nname joint theta a alpha d\nhand theta 0 1 0 0\n");
@@ -197,15 +203,17 @@ static void test_no_number_depends_on_a_name(void)
     check_says(&named, ",mm,\"boom, \"\"long\"\"\"\n");
     check_says(&nameless, ",unit\n0,npr,theta,");
     write_file("made.csv", named.output.bytes); /* what --csv writes can be read again, names and all */
-    check_same_output((const char *const[]){"named.csv", "--joints", "30,321", "--tolerances", "made.csv", "--csv", NULL},
-                      (const char *const[]){"named.csv", ASKED, "--csv", NULL});
+    check_same_output(
+        (const char *const[]){"named.csv", "--joints", "30,321", "--tolerances", "made.csv", "--csv", NULL},
+        (const char *const[]){"named.csv", ASKED, "--csv", NULL});
 }
 
 static void test_tables_and_members_have_them(void)
 {
     process process;
     write_named();
-    run_well(&process, folder, (const char *const[]){"named.csv", ASKED, "--budget", "--drives", "backlash=.001", NULL});
+    run_well(&process, folder,
+             (const char *const[]){"named.csv", ASKED, "--budget", "--drives", "backlash=.001", NULL});
     check_says(&process, "\n  0 column         npr  ");
     check_says(&process, "\n  1 boom, \"long\"   npp  ");
     check_says(&process, "\n  0 column machining  ");
@@ -223,19 +231,22 @@ static void test_tables_and_members_have_them(void)
 static void test_messages_have_them(void)
 {
     write_named();
-    check_refused((const char *const[]){"named.csv", "--joints", "30,321", "--accuracy", "1,1,1,1,1,1", "--drives",
-                                        "compliance=1", NULL},
-                  "the drive of link 0 (column): nothing says what loads its compliance; expected masses in the arm's table, "
-                  "--payload, --force, or a moment beside the compliance");
+    check_refused(
+        (const char *const[]){"named.csv", "--joints", "30,321", "--accuracy", "1,1,1,1,1,1", "--drives",
+                              "compliance=1", NULL},
+        "the drive of link 0 (column): nothing says what loads its compliance; expected masses in the arm's table, "
+        "--payload, --force, or a moment beside the compliance");
     write_file("limited.csv", KEYS HEAD ",low,high\nknee,npr,theta,1,0,0,0,-10,10\n");
-    check_refused((const char *const[]){"limited.csv", "--joints", "11", "--accuracy", "1,1,1,1,1,1", NULL},
-                  "pose 1, joint 1 (knee): 11 is beyond its limits; expected -10 to 10 deg (--ignore-limits sets limits aside)");
+    check_refused(
+        (const char *const[]){"limited.csv", "--joints", "11", "--accuracy", "1,1,1,1,1,1", NULL},
+        "pose 1, joint 1 (knee): 11 is beyond its limits; expected -10 to 10 deg (--ignore-limits sets limits aside)");
     write_file("made.csv", "link,parameter,tolerance\nknee,beta,1\n");
     check_refused((const char *const[]){"limited.csv", "--joints", "1", "--tolerances", "made.csv", NULL},
                   "made.csv:2:6: link 0 (knee), of kind npr, has no parameter \"beta\"; expected theta, d, a, alpha");
     write_file("made.csv", "link,parameter,tolerance\nthigh,beta,1\n");
-    check_refused((const char *const[]){"limited.csv", "--joints", "1", "--tolerances", "made.csv", NULL},
-                  "made.csv:2:1: link \"thigh\": expected a whole number from 0 to 0, the last link, or the name of one");
+    check_refused(
+        (const char *const[]){"limited.csv", "--joints", "1", "--tolerances", "made.csv", NULL},
+        "made.csv:2:1: link \"thigh\": expected a whole number from 0 to 0, the last link, or the name of one");
 }
 
 /* No line of what people read has more than 80 characters, tables of long names and of many columns included. */
@@ -260,10 +271,13 @@ static void check_width(const char *const arguments[])
 static void test_no_line_is_wider_than_eighty(void)
 {
     process process;
-    write_arm("arm.csv", HEAD, (const char *const[]){LONG "_1", LONG "_2", "\xf0\x9f\xa6\xbe\xf0\x9f\xa6\xbe\xf0\x9f\xa6\xbe"});
-    check_width((const char *const[]){"arm.csv", ASKED, "--given", "motors=0.001", "--budget", "--verify", "100", NULL});
-    check_width((const char *const[]){"arm.csv", ASKED, "--drives", "compliance=0.0001", "--payload", "1", "--payload", "2",
-                                      "--force", "3,4,5.123456", "--verify", "100", "--seed", "18446744073709551615", NULL});
+    write_arm("arm.csv", HEAD,
+              (const char *const[]){LONG "_1", LONG "_2", "\xf0\x9f\xa6\xbe\xf0\x9f\xa6\xbe\xf0\x9f\xa6\xbe"});
+    check_width(
+        (const char *const[]){"arm.csv", ASKED, "--given", "motors=0.001", "--budget", "--verify", "100", NULL});
+    check_width((const char *const[]){"arm.csv", ASKED, "--drives", "compliance=0.0001", "--payload", "1", "--payload",
+                                      "2", "--force", "3,4,5.123456", "--verify", "100", "--seed",
+                                      "18446744073709551615", NULL});
     run_well(&process, folder, (const char *const[]){"arm.csv", ASKED, NULL});
     check_says(&process, "\n  0 left_arm_\xc3\xbc" "ber_the...   npr  ");
     check_width((const char *const[]){"ur5e", "--joints", ".1,-2,2,1,1,.1", "--accuracy", "1,1,1,1,1,1", "--given",
@@ -305,9 +319,10 @@ static void test_joints_that_cannot_be_named(void)
 {
     write_file("arm.csv", KEYS HEAD ",couple\na=b,npr,theta,1,90,0,0,-\nfollower,npr,theta,1,90,0,0,0\n"
                                     "end,npr,fixed,1,0,0,0,-\n-,npr,theta,1,0,0,0,-\n");
-    check_refused((const char *const[]){"arm.csv", "--joints", "a=b=1", WISH, NULL},
-                  "--joints: no value for the joint of link 3; expected one for each of 2 joints, without names, since this "
-                  "one has none");
+    check_refused(
+        (const char *const[]){"arm.csv", "--joints", "a=b=1", WISH, NULL},
+        "--joints: no value for the joint of link 3; expected one for each of 2 joints, without names, since this "
+        "one has none");
     check_refused((const char *const[]){"arm.csv", "--joints", "follower=1", WISH, NULL},
                   "--joints: \"follower\" has no value of its own");
     check_refused((const char *const[]){"arm.csv", "--joints", "end=1", WISH, NULL},
@@ -325,17 +340,19 @@ static void test_more_joints_than_a_message_holds(void)
         snprintf(text + n, sizeof text - n, "j%d,npr,theta,1,90,0,0\n", i);
     }
     write_file("ten.csv", text);
-    check_refused((const char *const[]){"ten.csv", "--joints", "j=1", WISH, NULL},
-                  "--joints: crane has no joint \"j\"; it has \"j0\", \"j1\", \"j2\", \"j3\", \"j4\", \"j5\", \"j6\", \"j7\" "
-                  "and 2 more");
+    check_refused(
+        (const char *const[]){"ten.csv", "--joints", "j=1", WISH, NULL},
+        "--joints: crane has no joint \"j\"; it has \"j0\", \"j1\", \"j2\", \"j3\", \"j4\", \"j5\", \"j6\", \"j7\" "
+        "and 2 more");
 }
 
 #define POSED "ur5e", "--joints", ".1,-2,2,1,1.5,.2"
 
 static void test_lists_by_name(void)
 {
-    check_same_output((const char *const[]){POSED, WISH, "--given", "2.a=0.01,1.motors<=1e-5", NULL},
-                      (const char *const[]){POSED, WISH, "--given", "elbow_joint.a=0.01,shoulder_lift_joint.motors<=1e-5", NULL});
+    check_same_output(
+        (const char *const[]){POSED, WISH, "--given", "2.a=0.01,1.motors<=1e-5", NULL},
+        (const char *const[]){POSED, WISH, "--given", "elbow_joint.a=0.01,shoulder_lift_joint.motors<=1e-5", NULL});
     check_same_output((const char *const[]){POSED, WISH, "--weights", "2.a=3", NULL},
                       (const char *const[]){POSED, WISH, "--weights", "elbow_joint.a=3", NULL});
     check_same_output((const char *const[]){POSED, WISH, "--drives", "2.backlash=1e-6", NULL},
@@ -343,7 +360,8 @@ static void test_lists_by_name(void)
     write_file("weights.csv", "link,parameter,weight\nelbow_joint,a,3\n");
     check_same_output((const char *const[]){POSED, WISH, "--weights", "2.a=3", NULL},
                       (const char *const[]){POSED, WISH, "--weights", "weights.csv", NULL});
-    check_refused((const char *const[]){POSED, WISH, "--given", "elbow.a=0", NULL}, "--given: ur5e has no link \"elbow\"");
+    check_refused((const char *const[]){POSED, WISH, "--given", "elbow.a=0", NULL},
+                  "--given: ur5e has no link \"elbow\"");
 }
 
 /* A number is a link's; a name that looks like one, and is another link's, has two meanings. */

@@ -1,4 +1,6 @@
-/* Tables in Craig's order, held against a plain product in that order; signs, coupled joints, numbers as expressions. */
+/*
+ * Tables in Craig's order, held against a plain product in that order; signs, coupled joints, numbers as expressions.
+ */
 
 #include "armtol/arm.h"
 #include "armtol/link_transform.h"
@@ -99,14 +101,16 @@ static armtol_transform product_of(const armtol_link rows[], size_t n_rows, cons
     return product;
 }
 
-static const char *const joint_names[] = {[ARMTOL_FIXED] = "fixed", [ARMTOL_REVOLUTE] = "theta", [ARMTOL_PRISMATIC] = "d"};
+static const char *const joint_names[] = {
+    [ARMTOL_FIXED] = "fixed", [ARMTOL_REVOLUTE] = "theta", [ARMTOL_PRISMATIC] = "d"};
 
 static void print_rows(const armtol_link rows[], size_t n_rows, char text[MOST_TEXT])
 {
     size_t at = (size_t)snprintf(text, MOST_TEXT, "order: craig\nunits: mm rad\njoint,a,alpha,d,theta,beta\n");
     for (size_t i = 0; i < n_rows; i++) {
-        at += (size_t)snprintf(text + at, MOST_TEXT - at, "%s,%.17g,%.17g,%.17g,%.17g,%.17g\n", joint_names[rows[i].joint],
-                               rows[i].a, rows[i].alpha, rows[i].d, rows[i].theta, rows[i].beta);
+        at += (size_t)snprintf(text + at, MOST_TEXT - at, "%s,%.17g,%.17g,%.17g,%.17g,%.17g\n",
+                               joint_names[rows[i].joint], rows[i].a, rows[i].alpha, rows[i].d, rows[i].theta,
+                               rows[i].beta);
     }
 }
 
@@ -173,19 +177,20 @@ static void test_a_table_in_craigs_order_has_the_kinematics_of_its_product(void)
     }
 }
 
-static const char craig_table[] = "name: arm\n"
-                                  "title: arm\n"
-                                  "source: not given\n"
-                                  "order: craig\n"
-                                  "units: mm deg\n"
-                                  "\n"
-                                  "kind, joint,     a, alpha,     d, theta, sign, couple, multiplier, offset, low, high\n"
-                                  "npr,  theta,    50,   180,   100,     0,    1,      -,          -,      -,  -9,    9\n"
-                                  "ppr,  theta,     0,   -90, 243.5,    30,   -1,      -,          -,      -,   -,    -\n"
-                                  "npr,  theta, 431.8,     0, -93.4,     0,    1,      1,       -0.5,     10,   -,    -\n"
-                                  "npp,  d,     -20.3,    90, 433.1,    90,    1,      -,          -,      -,   0,   30\n"
-                                  "npr,  fixed,   0.5,     0,    25,     0,    -,      -,          -,      -,   -,    -\n"
-                                  "npr,  fixed,     0,    45,     0,     0,    -,      -,          -,      -,   -,    -\n";
+static const char craig_table[] =
+    "name: arm\n"
+    "title: arm\n"
+    "source: not given\n"
+    "order: craig\n"
+    "units: mm deg\n"
+    "\n"
+    "kind, joint,     a, alpha,     d, theta, sign, couple, multiplier, offset, low, high\n"
+    "npr,  theta,    50,   180,   100,     0,    1,      -,          -,      -,  -9,    9\n"
+    "ppr,  theta,     0,   -90, 243.5,    30,   -1,      -,          -,      -,   -,    -\n"
+    "npr,  theta, 431.8,     0, -93.4,     0,    1,      1,       -0.5,     10,   -,    -\n"
+    "npp,  d,     -20.3,    90, 433.1,    90,    1,      -,          -,      -,   0,   30\n"
+    "npr,  fixed,   0.5,     0,    25,     0,    -,      -,          -,      -,   -,    -\n"
+    "npr,  fixed,     0,    45,     0,     0,    -,      -,          -,      -,   -,    -\n";
 
 static void test_a_table_in_craigs_order_is_shown_as_it_was(void)
 {
@@ -228,25 +233,30 @@ static void test_every_built_in_arm_is_the_same_in_craigs_order(void)
 static void test_which_order_it_is(void)
 {
     arm_model model;
-    read_fine("order: Modified\nunits: mm rad\njoint,a_{i-1},alpha(i-1),d,theta\ntheta,0,0,0,0\ntheta,3,1,0,0\n", &model);
+    read_fine("order: Modified\nunits: mm rad\njoint,a_{i-1},alpha(i-1),d,theta\ntheta,0,0,0,0\ntheta,3,1,0,0\n",
+              &model);
     check_same(3, model.arm.links[0].a, "a");
     arm_model_free(&model);
     read_fine("order: standard\n" HEAD "theta,3,1,0,0\n", &model);
     check_same(3, model.arm.links[0].a, "a");
     arm_model_free(&model);
-    check_refused("1:8: unknown order \"denavit\"; expected paul (standard: a row has a and alpha of its own link, often 0 in "
-                  "the last row) or craig (modified: of the link before, often 0 in the first row)",
-                  "order: denavit\n" HEAD "theta,0,0,0,0\n");
+    check_refused(
+        "1:8: unknown order \"denavit\"; expected paul (standard: a row has a and alpha of its own link, often 0 in "
+        "the last row) or craig (modified: of the link before, often 0 in the first row)",
+        "order: denavit\n" HEAD "theta,0,0,0,0\n");
     check_refused("2:1: a second \"order\"", "order: craig\norder: craig\n" HEAD);
 }
 
 static void test_columns_of_the_link_before_ask_for_the_order(void)
 {
-    check_refused("2:9: \"alpha_i-1\" is of the link before, as in Craig's order; expected a line \"order: craig\" above the "
-                  "table",
-                  "units: mm rad\njoint,a,alpha_i-1,d,theta\ntheta,0,0,0,0\n");
-    check_refused("3:7: unknown column \"d_{i-1}\"; expected name, kind, joint, a, alpha, d, theta, beta, sign, couple, multiplier, "
-                  "offset, low, high, backlash, compliance or stiffness, moment, resolution or bits, friction, mass, com_x, com_y "
+    check_refused(
+        "2:9: \"alpha_i-1\" is of the link before, as in Craig's order; expected a line \"order: craig\" above the "
+        "table",
+        "units: mm rad\njoint,a,alpha_i-1,d,theta\ntheta,0,0,0,0\n");
+    check_refused("3:7: unknown column \"d_{i-1}\"; expected name, kind, joint, a, alpha, d, theta, beta, sign, "
+                  "couple, multiplier, "
+                  "offset, low, high, backlash, compliance or stiffness, moment, resolution or bits, friction, mass, "
+                  "com_x, com_y "
                   "or com_z",
                   "order: craig\nunits: mm rad\njoint,d_{i-1},alpha,a,theta\ntheta,0,0,0,0\n");
 }
@@ -278,9 +288,10 @@ static void test_what_cannot_be_followed(void)
                   COUPLED("theta,0,0,0,0,1,  7,1\n"));
     check_refused("4:17: couple: the joint follows that of row 0, which has no joint",
                   COUPLED("fixed,0,0,0,0\ntheta,0,0,0,0,1,0,1\n"));
-    check_refused("4:17: couple: the joint follows that of row 2, which follows another itself; expected the row of the joint "
-                  "that the motor moves",
-                  COUPLED("theta,0,0,0,0\ntheta,0,0,0,0,1,2\ntheta,0,0,0,0,1,0\n"));
+    check_refused(
+        "4:17: couple: the joint follows that of row 2, which follows another itself; expected the row of the joint "
+        "that the motor moves",
+        COUPLED("theta,0,0,0,0\ntheta,0,0,0,0,1,2\ntheta,0,0,0,0,1,0\n"));
     check_refused("3:17: couple: the joint follows that of row 0, which is its own", COUPLED("theta,0,0,0,0,1,0\n"));
     check_refused("3:17: couple: \"-1\" is not the number of a row", COUPLED("theta,0,0,0,0,1,-1\n"));
     check_refused("3:17: couple: \"1000000\" is not the number of a row", COUPLED("theta,0,0,0,0,1,1000000\n"));
@@ -296,7 +307,8 @@ static void test_what_cannot_be_followed(void)
 
 static void test_a_motion_that_is_wrong(void)
 {
-    static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_NPR, ARMTOL_FIXED}};
+    static const armtol_link links[] = {
+        {ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_NPR, ARMTOL_FIXED}};
     static const double q[] = {0.1, 0.2};
     armtol_motion motions[] = {{0, 1, 0, 1}, {0, 2, 0.5, -1}, {9, 0, 0, 0}};
     const armtol_arm arm = {.n_links = 3, .links = links, .motions = motions};
@@ -352,11 +364,26 @@ static void test_what_is_no_number(void)
         number_fault fault;
         const char *text;
     } wrong[] = {
-        {NUMBER_NONE, ""},         {NUMBER_NONE, "pi/"},     {NUMBER_NONE, "*2"},         {NUMBER_NONE, "--2"},
-        {NUMBER_NONE, "2pi"},      {NUMBER_NONE, "pi 2"},    {NUMBER_NONE, "2^0.5"},      {NUMBER_NONE, "2^1001"},
-        {NUMBER_NONE, "2^pi"},     {NUMBER_NONE, "2^"},      {NUMBER_NONE, "2^^2"},       {NUMBER_NONE, "2+3"},
-        {NUMBER_NONE, "(2)"},      {NUMBER_NONE, "2*-3"},    {NUMBER_NONE, "1.2.3*1"},    {NUMBER_TOO_LARGE, "1/0"},
-        {NUMBER_TOO_LARGE, "0/0"}, {NUMBER_TOO_LARGE, "10^999"}, {NUMBER_TOO_LARGE, "1e200*1e200"}, {NUMBER_TOO_LARGE, "2*1e999"},
+        {NUMBER_NONE, ""},
+        {NUMBER_NONE, "pi/"},
+        {NUMBER_NONE, "*2"},
+        {NUMBER_NONE, "--2"},
+        {NUMBER_NONE, "2pi"},
+        {NUMBER_NONE, "pi 2"},
+        {NUMBER_NONE, "2^0.5"},
+        {NUMBER_NONE, "2^1001"},
+        {NUMBER_NONE, "2^pi"},
+        {NUMBER_NONE, "2^"},
+        {NUMBER_NONE, "2^^2"},
+        {NUMBER_NONE, "2+3"},
+        {NUMBER_NONE, "(2)"},
+        {NUMBER_NONE, "2*-3"},
+        {NUMBER_NONE, "1.2.3*1"},
+        {NUMBER_TOO_LARGE, "1/0"},
+        {NUMBER_TOO_LARGE, "0/0"},
+        {NUMBER_TOO_LARGE, "10^999"},
+        {NUMBER_TOO_LARGE, "1e200*1e200"},
+        {NUMBER_TOO_LARGE, "2*1e999"},
         {NUMBER_TOO_LONG, "2*1000000000000000000000000000000000000000000000000000000000000000000000000000000000000"},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {

@@ -483,8 +483,9 @@ static void test_links_have_the_names_of_joints(void)
         TEST_ASSERT_EQUAL_STRING(names[i], link_name_at(&model, i));
     }
     arm_model_free(&model);
-    read_text(ROBOT(TWO_LINKS "<link name='c'/>" JOINT("revolute", "<origin rpy='1 0 0'/>")
-                    "<joint name='k' type='fixed'><parent link='b'/><child link='c'/><origin xyz='1 2 3' rpy='1 2 3'/></joint>"),
+    read_text(ROBOT(TWO_LINKS "<link name='c'/>" JOINT(
+                  "revolute", "<origin rpy='1 0 0'/>") "<joint name='k' type='fixed'><parent link='b'/><child "
+                                                       "link='c'/><origin xyz='1 2 3' rpy='1 2 3'/></joint>"),
               NULL, "c", &model);
     TEST_ASSERT_EQUAL_UINT(3, model.arm.n_links);
     TEST_ASSERT_EQUAL_STRING("a", link_name_at(&model, 0));
@@ -497,7 +498,10 @@ static void test_links_have_the_names_of_joints(void)
     "<joint name='" name "' type='continuous'><parent link='" from "'/><child link='" to "'/>"                      \
     "<axis xyz='0 0 1'/><origin xyz='1 0 0'/></joint>"
 
-/* What a table could not have as a name is none: nothing but a dash, a fault of spreadsheets, what another link is called. */
+/*
+ * What a table could not have as a name is none: nothing but a dash, a fault of spreadsheets, what another link is
+ * called.
+ */
 static void test_names_that_no_table_could_have(void)
 {
     arm_model model;

@@ -1,6 +1,6 @@
 /*
- * Whole runs of armtol on xacro files, with a program xacro of the test's own on the PATH: it writes its words and a URDF. And
- * what armtol has to do with files beside: --links, --craig, limits, inches.
+ * Whole runs of armtol on xacro files, with a program xacro of the test's own on the PATH: it writes its words and a
+ * URDF. And what armtol has to do with files beside: --links, --craig, limits, inches.
  */
 
 #include "support/process.h"
@@ -11,9 +11,9 @@
 #include <string.h>
 #include <sys/stat.h>
 
-static const char urdf[] =
-    "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='revolute'><parent link='a'/><child link='b'/>"
-    "<origin xyz='0.1 0 0'/><axis xyz='0 0 1'/><limit lower='0' upper='0'/></joint></robot>";
+static const char urdf[] = "<robot name='r'><link name='a'/><link name='b'/><joint name='j' type='revolute'><parent "
+                           "link='a'/><child link='b'/>"
+                           "<origin xyz='0.1 0 0'/><axis xyz='0 0 1'/><limit lower='0' upper='0'/></joint></robot>";
 
 void setUp(void)
 {
@@ -42,8 +42,8 @@ static void run(process *process, const char *folder, const char *path, const ch
     process_run(process, &setup, "");
 }
 
-static void check_run(const char *folder, const char *path, const char *const arguments[], int status, const char *output,
-                      const char *errors)
+static void check_run(const char *folder, const char *path, const char *const arguments[], int status,
+                      const char *output, const char *errors)
 {
     process process;
     run(&process, folder, path, arguments);
@@ -62,9 +62,10 @@ static void test_xacro_is_run_with_its_arguments(void)
     file_write(string_of("%s/r.xacro", folder.text).text, "<robot/>");
     check_run(folder.text, path.text, (const char *const[]){"r.xacro", "--links", NULL}, 0, LINKS, "");
     file_check(string_of("%s/words", folder.text).text, "[r.xacro]\n", "no arguments");
-    check_run(folder.text, path.text,
-              (const char *const[]){"--links", "robot.urdf", "--xacro", "name:=x y", "side:=$HOME;left", "--degrees", NULL}, 0,
-              "a\n  b  (j: revolute, 0 to 0 deg)\n", "");
+    check_run(
+        folder.text, path.text,
+        (const char *const[]){"--links", "robot.urdf", "--xacro", "name:=x y", "side:=$HOME;left", "--degrees", NULL},
+        0, "a\n  b  (j: revolute, 0 to 0 deg)\n", "");
     file_check(string_of("%s/words", folder.text).text, "[robot.urdf]\n[name:=x y]\n[side:=$HOME;left]\n", "no shell");
 }
 
@@ -73,13 +74,15 @@ static void test_xacro_that_is_not_there_or_fails(void)
     const string folder = folder_new(), empty = folder_new();
     file_write(string_of("%s/r.xacro", folder.text).text, "<robot/>");
     check_run(folder.text, empty.text, (const char *const[]){"r.xacro", "--show", NULL}, 2, "",
-              "armtol: r.xacro is to be expanded by the program xacro, which is not on the PATH; pip install xacro gets it\n");
+              "armtol: r.xacro is to be expanded by the program xacro, which is not on the PATH; pip install xacro "
+              "gets it\n");
     make_xacro(folder.text, "echo no such macro >&2; exit 3");
     check_run(folder.text, folder.text, (const char *const[]){"r.xacro", "--show", NULL}, 2, "",
               "no such macro\narmtol: r.xacro: xacro could not expand it\n");
     make_xacro(folder.text, "exit 127");
     check_run(folder.text, folder.text, (const char *const[]){"r.xacro", "--show", NULL}, 2, "",
-              "armtol: r.xacro is to be expanded by the program xacro, which is not on the PATH; pip install xacro gets it\n");
+              "armtol: r.xacro is to be expanded by the program xacro, which is not on the PATH; pip install xacro "
+              "gets it\n");
     make_xacro(folder.text, "kill -9 $$");
     check_run(folder.text, folder.text, (const char *const[]){"r.xacro", "--show", NULL}, 2, "",
               "armtol: r.xacro: xacro could not expand it\n");
@@ -113,17 +116,20 @@ static void test_limits_can_be_set_aside(void)
     process process;
     file_write(string_of("%s/r.urdf", folder.text).text, urdf);
     check_run(folder.text, "", (const char *const[]){"r.urdf", "--joints", "0.5", ACCURACY, NULL}, 2, "",
-              "armtol: pose 1, joint 1 (j): 0.5 is beyond its limits; expected 0 to 0 rad (limits of 0 and 0 often mean that none "
+              "armtol: pose 1, joint 1 (j): 0.5 is beyond its limits; expected 0 to 0 rad (limits of 0 and 0 often "
+              "mean that none "
               "are known: --ignore-limits sets limits aside)\n");
-    run(&process, folder.text, "", (const char *const[]){"r.urdf", "--joints", "0.5", ACCURACY, "--ignore-limits", NULL});
+    run(&process, folder.text, "",
+        (const char *const[]){"r.urdf", "--joints", "0.5", ACCURACY, "--ignore-limits", NULL});
     process_check_status(&process, 0, "set aside");
 }
 
 static void test_limits_of_a_follower_hold_too(void)
 {
     const string folder = folder_new();
-    file_write(string_of("%s/r.csv", folder.text).text,
-               "units: in deg\njoint,a,alpha,d,theta,couple,multiplier,low,high\ntheta,1,0,0,0\ntheta,1,0,0,0,0,-2,-90,90\n");
+    file_write(
+        string_of("%s/r.csv", folder.text).text,
+        "units: in deg\njoint,a,alpha,d,theta,couple,multiplier,low,high\ntheta,1,0,0,0\ntheta,1,0,0,0,0,-2,-90,90\n");
     check_run(folder.text, "", (const char *const[]){"r.csv", "--joints", "50", ACCURACY, NULL}, 2, "",
               "armtol: pose 1, link 1, which follows link 0: -100 is beyond its limits; expected -90 to 90 deg "
               "(--ignore-limits sets limits aside)\n");
@@ -135,11 +141,12 @@ static void test_inches_are_25_4_millimetres(void)
     process inches, mm;
     file_write(string_of("%s/r.csv", folder.text).text, "units: in deg\njoint,a,alpha,d,theta\ntheta,10,0,0,0\n");
     run(&inches, folder.text, "", (const char *const[]){"r.csv", "--joints", "0", ACCURACY, NULL});
-    run(&mm, folder.text, "", (const char *const[]){"r.csv", "--joints", "0", "--accuracy", "25.4,25.4,25.4,1,1,1", "--mm", NULL});
+    run(&mm, folder.text, "",
+        (const char *const[]){"r.csv", "--joints", "0", "--accuracy", "25.4,25.4,25.4,1,1,1", "--mm", NULL});
     TEST_ASSERT_NOT_NULL(strstr(inches.output.bytes, "tool point 10 0 0"));
     TEST_ASSERT_NOT_NULL(strstr(mm.output.bytes, "tool point 254 0 0"));
-    check_run(folder.text, "", (const char *const[]){"r.csv", "--joints", "0", ACCURACY, "--mm", "--inches", NULL}, 2, "",
-              "armtol: --mm, --metres and --inches exclude each other\n");
+    check_run(folder.text, "", (const char *const[]){"r.csv", "--joints", "0", ACCURACY, "--mm", "--inches", NULL}, 2,
+              "", "armtol: --mm, --metres and --inches exclude each other\n");
 }
 
 static void test_what_has_no_links_to_draw(void)
@@ -197,10 +204,11 @@ static void test_motions_in_json(void)
 static void test_tips_of_as_many_joints_are_sorted_by_name(void)
 {
     const string folder = folder_new();
-    file_write(string_of("%s/two.urdf", folder.text).text,
-               "<robot name='two'><link name='a'/><link name='c'/><link name='b'/>"
-               "<joint name='j' type='continuous'><parent link='a'/><child link='c'/><axis xyz='0 0 1'/></joint>"
-               "<joint name='k' type='continuous'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint></robot>");
+    file_write(
+        string_of("%s/two.urdf", folder.text).text,
+        "<robot name='two'><link name='a'/><link name='c'/><link name='b'/>"
+        "<joint name='j' type='continuous'><parent link='a'/><child link='c'/><axis xyz='0 0 1'/></joint>"
+        "<joint name='k' type='continuous'><parent link='a'/><child link='b'/><axis xyz='0 0 1'/></joint></robot>");
     check_run(folder.text, "", (const char *const[]){"two.urdf", "--show", NULL}, 2, "",
               "armtol: two.urdf has several links at the end; choose the tool's with --tip: \"b\" (1 joint), \"c\" "
               "(1 joint)\n");

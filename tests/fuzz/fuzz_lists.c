@@ -47,7 +47,8 @@ static void check_parameters(FILE *stream, unsigned choice)
     armtol_column columns[MOST_COLUMNS];
     double values[MOST_COLUMNS];
     REQUIRE(n <= MOST_COLUMNS && armtol_columns(arm->links, arm->n_links, columns, n) == ARMTOL_OK);
-    const parameter_table table = {arm, columns, n, any_sign ? "deviation" : zero ? "tolerance" : "weight", zero, any_sign};
+    const parameter_table table = {arm,  columns, n, any_sign ? "deviation" : zero ? "tolerance" : "weight",
+                                   zero, any_sign};
     for (size_t k = 0; k < n; k++) {
         values[k] = -1;
     }

@@ -33,9 +33,9 @@ typedef struct parameter_table {
 } parameter_table;
 
 /*
- * Rows of link (its number from 0, or its name), parameter (theta, d, a, alpha, beta) and the wanted value; other columns are passed
- * over. So `armtol --csv` can be read again. Values are greater than 0, or 0 where zero_allowed; "inf" or "-" is infinite where
- * infinite_allowed. After a message values[] is of no use.
+ * Rows of link (its number from 0, or its name), parameter (theta, d, a, alpha, beta) and the wanted value; other
+ * columns are passed over. So `armtol --csv` can be read again. Values are greater than 0, or 0 where zero_allowed;
+ * "inf" or "-" is infinite where infinite_allowed. After a message values[] is of no use.
  */
 bool parameters_read(FILE *stream, const char *path, const parameter_table *table, bool infinite_allowed,
                      double values[]);

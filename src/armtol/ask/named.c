@@ -29,8 +29,8 @@ static bool find_link(const named_item *item, const armtol_arm *arm, const char 
         return false;
     }
     if (*link != NAMED_ANY_LINK && of_that_name != n && (size_t)*link != of_that_name) {
-        message("%s: %s may be link %ld, or link %zu, which is called so; expected the other one's number", item->option,
-                message_quote(item->whole, &(quoted){""}), *link, of_that_name);
+        message("%s: %s may be link %ld, or link %zu, which is called so; expected the other one's number",
+                item->option, message_quote(item->whole, &(quoted){""}), *link, of_that_name);
         return false;
     }
     *link = *link == NAMED_ANY_LINK ? (long)of_that_name : *link;

@@ -21,9 +21,9 @@ typedef struct named_item {
 enum { NAMED_ANY_LINK = -1 };
 
 /*
- * Hands every item to `take`, until that is false. False, after a message, for one that is too long, too, and for one of a
- * link that the arm does not have. A number is that of a link, also where a link is called so; where that is another
- * link, the item is refused.
+ * Hands every item to `take`, until that is false. False, after a message, for one that is too long, too, and for one
+ * of a link that the arm does not have. A number is that of a link, also where a link is called so; where that is
+ * another link, the item is refused.
  */
 bool named_each(const char *option, const char *text, const armtol_arm *arm,
                 bool (*take)(const named_item *item, void *context), void *context);
@@ -39,8 +39,8 @@ typedef struct named_columns {
 } named_columns;
 
 /*
- * Whether an item means a column: its name is a parameter (theta) or a class (lengths, angles, motors, machining), of that
- * link or of all.
+ * Whether an item means a column: its name is a parameter (theta) or a class (lengths, angles, motors, machining), of
+ * that link or of all.
  */
 bool named_column(const named_columns *of, const named_item *item, size_t column);
 

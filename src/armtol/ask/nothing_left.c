@@ -36,7 +36,8 @@ static double whole_of(const armtol_answer *answer, size_t i)
                                                : component->worst;
 }
 
-static void list_sources(const armtol_arm *arm, const armtol_budget *budget, size_t i, double percent, char *text, size_t size)
+static void list_sources(const armtol_arm *arm, const armtol_budget *budget, size_t i, double percent, char *text,
+                         size_t size)
 {
     size_t n = 0, length = 0;
     for (size_t r = 0; r < budget->n_rows; r++) {

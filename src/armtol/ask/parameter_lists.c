@@ -90,10 +90,12 @@ static bool read_link(const parameter_reader *reader, size_t *link)
     const size_t place = reader->places[FIELD_LINK], n_links = link_count(reader->table);
     const char *text = reader->row.cells[place].text;
     const bool whole = text[strspn(text, "0123456789")] == '\0';
-    *link = whole ? (size_t)strtoul(text, NULL, 10) : link_named(arm, text); /* what is too large is strtoul's largest */
+    *link = whole ? (size_t)strtoul(text, NULL, 10) : link_named(arm, text); /* what is too large is strtoul's largest
+    **/
     if (*link >= n_links) {
         cells_message(&reader->row, place, "link %s: expected a whole number from 0 to %zu, the last link%s",
-                      message_quote(text, &(quoted){""}), n_links - 1, links_have_names(arm) ? ", or the name of one" : "");
+                      message_quote(text, &(quoted){""}), n_links - 1,
+                      links_have_names(arm) ? ", or the name of one" : "");
     }
     return *link < n_links;
 }

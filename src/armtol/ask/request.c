@@ -53,8 +53,9 @@ static void say_limits(const units *units, const armtol_arm *arm, size_t link, s
     const armtol_drive *drive = &arm->drives[link];
     const bool none = drive->low == 0 && drive->high == 0;
     char mover[2 * sizeof(link_text) + 20];
-    message("pose %zu, %s: %s is beyond its limits; expected %s to %s %s (%s--ignore-limits sets limits aside)", pose + 1,
-            mover_text(arm, link, mover, sizeof mover), joint_text(units, &arm->links[link], value, &(number_text){""}),
+    message("pose %zu, %s: %s is beyond its limits; expected %s to %s %s (%s--ignore-limits sets limits aside)",
+            pose + 1, mover_text(arm, link, mover, sizeof mover),
+            joint_text(units, &arm->links[link], value, &(number_text){""}),
             joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
             joint_text(units, &arm->links[link], drive->high, &(number_text){""}),
             units_name(units, arm->links[link].joint == ARMTOL_PRISMATIC),
@@ -273,7 +274,8 @@ static bool take_tolerances(request *request, const char *path)
         const bool is_length = armtol_parameter_is_length(column->parameter);
         if (!take_value(&request->units, is_length, &request->tolerances[k])) {
             message("--tolerances: %s: %s of %s: the tolerance is too large", path,
-                    armtol_parameter_name(column->parameter), link_words(&request->arm, column->link, &(link_text){""}));
+                    armtol_parameter_name(column->parameter),
+                    link_words(&request->arm, column->link, &(link_text){""}));
             return false;
         }
     }
@@ -348,7 +350,8 @@ int request_make(request *request, const cli_options *options, const arm_model *
         .arm = model->arm,
         .question = {.arm = &request->arm, .method = options->method, .sigma = options->sigma},
     };
-    const bool fine = take_drives(request) && take_poses(request) && take_loads(request) && get_memory(request) && take_values(request);
+    const bool fine = take_drives(request) && take_poses(request) && take_loads(request) && get_memory(request) &&
+                      take_values(request);
     if (!fine) {
         request_free(request);
     }

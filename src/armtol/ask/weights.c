@@ -54,5 +54,6 @@ bool weights_parse(const char *text, const armtol_arm *arm, const armtol_column 
     if (text == NULL) {
         return true;
     }
-    return strchr(text, '=') != NULL ? named_each("--weights", text, arm, take_item, &weighted) : take_table(text, &weighted);
+    return strchr(text, '=') != NULL ? named_each("--weights", text, arm, take_item, &weighted)
+                                     : take_table(text, &weighted);
 }

@@ -23,8 +23,8 @@ typedef struct link_text {
 } link_text;
 
 /*
- * For tables "3 elbow", and "3" where it has no name; for sentences "link 3 (elbow)" and "link 3". A name of more than 20
- * characters ends in three dots. Returns room->text.
+ * For tables "3 elbow", and "3" where it has no name; for sentences "link 3 (elbow)" and "link 3". A name of more than
+ * 20 characters ends in three dots. Returns room->text.
  */
 const char *link_cell(const armtol_arm *arm, size_t link, link_text *room);
 const char *link_words(const armtol_arm *arm, size_t link, link_text *room);

@@ -15,9 +15,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char expected_head[] = "expected a row of names: joint, a, alpha, d, theta and, as needed, name, kind, beta, "
-                                    "sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, "
-                                    "friction, mass, com_x, com_y, com_z";
+static const char expected_head[] =
+    "expected a row of names: joint, a, alpha, d, theta and, as needed, name, kind, beta, "
+    "sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, "
+    "friction, mass, com_x, com_y, com_z";
 
 /* All that is at work while a file is read. */
 typedef struct arm_reader {
@@ -115,8 +116,9 @@ static bool check_name(const arm_reader *reader, const char *name)
 {
     for (size_t i = 0; i < reader->n_rows; i++) {
         if (reader->names[i] != NULL && strcmp(reader->names[i], name) == 0) {
-            cells_message(&reader->row, reader->columns.place[COLUMN_NAME], "name: a second %s; the first is in line %zu",
-                          message_quote(name, &(quoted){""}), reader->couples[i].line);
+            cells_message(&reader->row, reader->columns.place[COLUMN_NAME],
+                          "name: a second %s; the first is in line %zu", message_quote(name, &(quoted){""}),
+                          reader->couples[i].line);
             return false;
         }
     }
@@ -257,8 +259,9 @@ static void warn_of_last_kind(const arm_reader *reader, const armtol_arm *arm)
     const armtol_link *last = &arm->links[arm->n_links - 1];
     const bool parallel = fabs(sin(last->alpha)) <= ARMTOL_USUAL_SNAP && last->beta == 0;
     if (last->joint == ARMTOL_REVOLUTE && last->kind == ARMTOL_PPR && parallel && last->d != 0) {
-        file_message(&reader->last_kind, "note: the last link is ppr, which counts its d, the length of the tool, as exact; "
-                                         "npr, as auto makes it, does not");
+        file_message(&reader->last_kind,
+                     "note: the last link is ppr, which counts its d, the length of the tool, as exact; "
+                     "npr, as auto makes it, does not");
     }
 }
 

@@ -39,7 +39,8 @@ static bool layer_start(layer *layer, const arm_model *model)
         .snapped = calloc(most, sizeof *layer->snapped),
     };
     const bool fine = layer->axes != NULL && layer->links != NULL && layer->drives != NULL && layer->masses != NULL &&
-                      layer->motions != NULL && layer->names != NULL && layer->joint_links != NULL && layer->snapped != NULL;
+                      layer->motions != NULL && layer->names != NULL && layer->joint_links != NULL &&
+                      layer->snapped != NULL;
     if (!fine) {
         out_of_memory();
     }

@@ -19,8 +19,8 @@ typedef struct arm_laying {
 } arm_laying;
 
 /*
- * An arm that was read, and the memory that it is made of: texts, links, drives, masses and names are its own. Angles are radians
- * inside, whatever the file had; angle_unit says what people are to be shown.
+ * An arm that was read, and the memory that it is made of: texts, links, drives, masses and names are its own. Angles
+ * are radians inside, whatever the file had; angle_unit says what people are to be shown.
  */
 typedef struct arm_model {
     armtol_arm arm;

@@ -35,8 +35,8 @@ static bool split_start(split *split, size_t n_rows)
         .axes = calloc(n_rows, sizeof *split->axes),
         .kinds = calloc(n_rows, sizeof *split->kinds),
     };
-    const bool fine = split->links != NULL && split->drives != NULL && split->masses != NULL && split->motions != NULL &&
-                      split->names != NULL && split->axes != NULL && split->kinds != NULL;
+    const bool fine = split->links != NULL && split->drives != NULL && split->masses != NULL &&
+                      split->motions != NULL && split->names != NULL && split->axes != NULL && split->kinds != NULL;
     if (!fine) {
         out_of_memory();
     }
@@ -54,7 +54,9 @@ static void split_free(split *split)
     free(split->kinds);
 }
 
-/* The kinds that the table leaves to the axes. What overflows has none, and the same is said where it is to be placed. */
+/*
+ * The kinds that the table leaves to the axes. What overflows has none, and the same is said where it is to be placed.
+ */
 static void choose_kinds(split *split, const arm_rows *rows)
 {
     const bool known = armtol_kinds_of_links(split->links, rows->n, split->axes, split->kinds) == ARMTOL_OK;
@@ -132,7 +134,9 @@ static bool stands_still(const arm_entry *row)
     return link->joint == ARMTOL_FIXED && kind && link->theta == 0 && link->d == 0 && row->mass.mass == 0;
 }
 
-/* Move a center of mass from the frame behind a, alpha and beta of the link to the one before them, or the other way. */
+/*
+ * Move a center of mass from the frame behind a, alpha and beta of the link to the one before them, or the other way.
+ */
 static void move_center(arm_entry *row, const armtol_link *link, bool before)
 {
     armtol_link moved = {.a = link->a, .alpha = link->alpha, .beta = link->beta};

@@ -10,7 +10,7 @@ static const char *const names[ARM_COLUMNS] = {
     [COLUMN_NAME] = "name",   [COLUMN_KIND] = "kind",   [COLUMN_JOINT] = "joint",           [COLUMN_A] = "a",
     [COLUMN_ALPHA] = "alpha", [COLUMN_D] = "d",                   [COLUMN_THETA] = "theta",
     [COLUMN_BETA] = "beta",   [COLUMN_SIGN] = "sign",             [COLUMN_COUPLE] = "couple",
-    [COLUMN_MULTIPLIER] = "multiplier", [COLUMN_OFFSET] = "offset",     [COLUMN_LOW] = "low",               [COLUMN_HIGH] = "high",
+    [COLUMN_MULTIPLIER] = "multiplier", [COLUMN_OFFSET] = "offset", [COLUMN_LOW] = "low", [COLUMN_HIGH] = "high",
     [COLUMN_BACKLASH] = "backlash", [COLUMN_COMPLIANCE] = "compliance", [COLUMN_MOMENT] = "moment",
     [COLUMN_RESOLUTION] = "resolution", [COLUMN_FRICTION] = "friction", [COLUMN_STIFFNESS] = "stiffness",
     [COLUMN_BITS] = "bits",   [COLUMN_MASS] = "mass",             [COLUMN_COM_X] = "com_x",
@@ -160,15 +160,15 @@ static void unknown_column(const cell_row *row, size_t index)
     if (row->cells[index].text[0] == '\0') {
         cells_message(row, index, "a column without a name");
     } else if (column_of_link_before(&row->cells[index]) != ARM_COLUMNS) {
-        cells_message(row, index, "%s is of the link before, as in Craig's order; expected a line \"order: craig\" above "
-                                  "the table", text);
+        cells_message(row, index, "%s is of the link before, as in Craig's order; expected a line \"order: craig\" "
+                                  "above the table", text);
     } else if (index == 0) {
-        cells_message(row, 0, "%s is neither a key (name, title, source, units, order) nor a column (name, kind, joint, a, "
-                              "alpha, d, theta, ...)", text);
+        cells_message(row, 0, "%s is neither a key (name, title, source, units, order) nor a column (name, kind, "
+                              "joint, a, alpha, d, theta, ...)", text);
     } else {
-        cells_message(row, index, "unknown column %s; expected name, kind, joint, a, alpha, d, theta, beta, sign, couple, "
-                                  "multiplier, offset, low, high, backlash, compliance or stiffness, moment, resolution or "
-                                  "bits, friction, mass, com_x, com_y or com_z", text);
+        cells_message(row, index, "unknown column %s; expected name, kind, joint, a, alpha, d, theta, beta, sign, "
+                                  "couple, multiplier, offset, low, high, backlash, compliance or stiffness, moment, "
+                                  "resolution or bits, friction, mass, com_x, com_y or com_z", text);
     }
 }
 

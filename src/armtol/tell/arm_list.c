@@ -31,7 +31,8 @@ void arm_list_print(void)
         printf("%-16s ", arm->name);
         wrap_start(&wrap, stdout, 0, INDENT);
         wrap.column = INDENT;
-        wrap_say(&wrap, "%s, %zu joints, %s", arm->title, armtol_arm_joint_count(arm), armtol_length_unit_name(arm->unit));
+        wrap_say(&wrap, "%s, %zu joints, %s", arm->title, armtol_arm_joint_count(arm),
+                 armtol_length_unit_name(arm->unit));
         wrap_end(&wrap);
         wrap_start(&wrap, stdout, INDENT, INDENT);
         wrap_say(&wrap, "%s", arm->source);

@@ -6,8 +6,8 @@
 #include "armtol/tell/json.h"
 
 /*
- * --list --json and --show --json, on standard output. The arm is in the units' length, its angles in radians; the lengths
- * of how it was laid are in those of `laid`.
+ * --list --json and --show --json, on standard output. The arm is in the units' length, its angles in radians; the
+ * lengths of how it was laid are in those of `laid`.
  */
 void json_list(void);
 void json_show(const arm_model *model, const units *units, const struct units *laid);

@@ -181,7 +181,8 @@ static void print_heading(const findings *findings)
     const units *units = &request->units;
     wrap wrap;
     wrap_start(&wrap, stdout, 0, 0);
-    wrap_say(&wrap, "%s, in %s and %s", request->question.arm->title, units_name(units, true), units_name(units, false));
+    wrap_say(&wrap, "%s, in %s and %s", request->question.arm->title, units_name(units, true),
+             units_name(units, false));
     wrap_end(&wrap);
     laying_print(request->laying, units, "");
     print_poses(findings);

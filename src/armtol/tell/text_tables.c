@@ -44,8 +44,9 @@ bool text_parameters(const findings *findings)
     table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit%s", shows_origin ? "\tset by" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row parameter = findings_parameter(findings, k);
-        table_add(&table, "%s\t%s\t%s\t%s", link_cell(findings->request->question.arm, parameter.link, &(link_text){""}),
-                  parameter.kind, parameter.parameter, parameter.role);
+        table_add(&table, "%s\t%s\t%s\t%s",
+                  link_cell(findings->request->question.arm, parameter.link, &(link_text){""}), parameter.kind,
+                  parameter.parameter, parameter.role);
         add_number(&table, parameter.nominal);
         add_number(&table, parameter.tolerance);
         table_add_cells(&table, "%s\t%s", parameter.unit, origin_of(&parameter));

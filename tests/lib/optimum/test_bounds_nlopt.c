@@ -1,7 +1,7 @@
 /*
- * The optimum between bounds, as the engine answers it, held against that of a general solver (told_to_nlopt.h): arms drawn
- * at random, in one pose or several, with tolerances that are given, have a least, a largest or both. The problem that the
- * solver gets is made of A, the accuracy and the bounds alone.
+ * The optimum between bounds, as the engine answers it, held against that of a general solver (told_to_nlopt.h): arms
+ * drawn at random, in one pose or several, with tolerances that are given, have a least, a largest or both. The problem
+ * that the solver gets is made of A, the accuracy and the bounds alone.
  *
  *   test_bounds_nlopt [ARMS [SEED]]
  */
@@ -72,7 +72,8 @@ static void draw_links(random_source *source, drawn *drawn, size_t n_links)
 static void draw_wish(random_source *source, drawn *drawn)
 {
     for (size_t i = 0; i < 6; i++) {
-        drawn->accuracy[i] = chance(source, 0.15) ? (double)INFINITY : random_between(source, 0.5, 2) * (i < 3 ? 1 : 0.003);
+        drawn->accuracy[i] =
+            chance(source, 0.15) ? (double)INFINITY : random_between(source, 0.5, 2) * (i < 3 ? 1 : 0.003);
     }
     drawn->accuracy[(size_t)random_between(source, 0, 3)] = 1;
     for (size_t k = 0; k < MOST_COLUMNS; k++) {
@@ -181,8 +182,8 @@ static void check_kept(const problem *problem, const double t[], unsigned long a
 }
 
 /*
- * The same tolerances. SLSQP stops short of an optimum at times: what it found is then no larger a product. The problem is
- * strictly convex, so that what keeps to all limits and has the larger product is nearer to the optimum.
+ * The same tolerances. SLSQP stops short of an optimum at times: what it found is then no larger a product. The problem
+ * is strictly convex, so that what keeps to all limits and has the larger product is nearer to the optimum.
  */
 static void compare(const problem *problem, const double expected[], const double t[], unsigned long arm, tally *tally)
 {
@@ -255,7 +256,8 @@ static void test_random_arms_between_bounds(void)
     for (unsigned long arm = 0; arm < arms; arm++) {
         compare_arm(&source, arm, &tally);
     }
-    printf("%lu arms: %lu compared, largest relative difference %.1e; nothing left for %lu; SLSQP short of the optimum %lu "
+    printf("%lu arms: %lu compared, largest relative difference %.1e; nothing left for %lu; SLSQP short of the "
+           "optimum %lu "
            "times\n%lu tolerances given, %lu held by their least, %lu by their largest\n",
            arms, tally.compared, tally.worst, tally.nothing_left, tally.short_of_it, tally.given, tally.at_least,
            tally.at_largest);

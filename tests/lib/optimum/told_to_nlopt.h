@@ -5,8 +5,8 @@
 
 /*
  * The problem of optimum.h told to a general solver, which knows nothing of how it is solved there: NLopt's SLSQP
- * (sequential quadratic programming), in x = sqrt(w) log(t / unit), or log of the square, where the problem is convex, its
- * objective linear and its curvature the same all around.
+ * (sequential quadratic programming), in x = sqrt(w) log(t / unit), or log of the square, where the problem is convex,
+ * its objective linear and its curvature the same all around.
  */
 
 enum { MOST_ROWS = 60, MOST_COLUMNS = 40 };
