@@ -54,6 +54,9 @@
 #include "armtol/share_interval.h"
 #include "armtol/verification.h"
 
+/* From where the tool should be to joint values, for any arm. */
+#include "armtol/inverse.h"
+
 ARMTOL_INTERFACE_BEGIN
 
 /* The version of the library in use, "major.minor.patch". */

@@ -74,5 +74,17 @@
 #define verification_check armtol_private_verification_check
 #define verification_limits armtol_private_verification_limits
 #define verification_report armtol_private_verification_report
+#define chain_compare armtol_private_chain_compare
+#define chain_differentiate armtol_private_chain_differentiate
+#define chain_place armtol_private_chain_place
+#define damped_step armtol_private_damped_step
+#define own_inverse armtol_private_own_inverse
+#define own_robot armtol_private_own_robot
+#define prepare_chain armtol_private_prepare_chain
+#define search_approach armtol_private_search_approach
+#define search_bring_within armtol_private_search_bring_within
+#define search_descend armtol_private_search_descend
+#define search_from_near armtol_private_search_from_near
+#define search_is_there armtol_private_search_is_there
 
 #endif

@@ -1,0 +1,324 @@
+#include "armtol/inverse.h"
+
+#include "lib/inverse/own.h"
+#include "lib/inverse/prepare.h"
+#include "lib/inverse/search.h"
+#include "lib/pi.h"
+#include "lib/report/finite.h"
+#include "lib/report/trigonometry.h"
+#include "lib/tool/splitmix.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Starts that have to bring nothing new, and those that are made where nothing at all is found. */
+enum { LEAST_STARTS = 64, VAIN_STARTS = 256 };
+
+#define USUAL_WITHIN 1e-10
+
+struct armtol_inverse {
+    chain chain;
+    search search;
+    const armtol_robot *own; /* NULL but for an arm of 1987 whose own way is wanted */
+    double *memory;          /* what chain, search and the following have of doubles */
+    double *found;           /* MOST_BRANCHES x n_joints, a place for each branch */
+    double *best, *way;      /* n_joints: the nearest so far, and where a start has got to */
+};
+
+/* ---- memory ---- */
+
+static double *take(double **memory, size_t count)
+{
+    double *taken = *memory;
+    *memory += count;
+    return taken;
+}
+
+static void lay_out(armtol_inverse *inverse, bool *held)
+{
+    const size_t n = inverse->chain.n_joints;
+    double *left = inverse->memory;
+    inverse->chain.axes = take(&left, 6 * inverse->chain.n_links);
+    inverse->chain.jacobian = take(&left, 6 * n);
+    inverse->search = (search){.chain = &inverse->chain, .held = held};
+    inverse->search.trial = take(&left, n);
+    inverse->search.step = take(&left, n);
+    inverse->search.pull = take(&left, n);
+    inverse->search.last = take(&left, n);
+    inverse->best = take(&left, n);
+    inverse->way = take(&left, n);
+    inverse->found = left;
+}
+
+/* An arm without joints has places of its own all the same: what is asked of calloc is never 0. */
+static bool get_memory(armtol_inverse *inverse)
+{
+    const size_t n_links = inverse->chain.n_links, n = inverse->chain.n_joints;
+    inverse->chain.links = calloc(n_links, sizeof *inverse->chain.links);
+    inverse->chain.joints = calloc(n + 1, sizeof *inverse->chain.joints);
+    inverse->memory = calloc(6 * n_links + (ARMTOL_MOST_BRANCHES + 12) * (n + 1), sizeof *inverse->memory);
+    inverse->search.held = calloc(n + 1, sizeof *inverse->search.held);
+    return inverse->chain.links != NULL && inverse->chain.joints != NULL && inverse->memory != NULL &&
+           inverse->search.held != NULL;
+}
+
+armtol_status armtol_inverse_create(const armtol_inverse_setup *setup, armtol_inverse **inverse)
+{
+    *inverse = NULL;
+    armtol_status status = armtol_arm_check(setup->arm);
+    if (status != ARMTOL_OK) {
+        return status;
+    }
+    armtol_inverse *made = calloc(1, sizeof *made);
+    if (made == NULL) {
+        return ARMTOL_NO_MEMORY;
+    }
+    made->chain.n_links = setup->arm->n_links;
+    made->chain.n_joints = armtol_arm_joint_count(setup->arm);
+    memcpy(made->chain.offset, setup->offset, sizeof setup->offset);
+    status = get_memory(made) ? ARMTOL_OK : ARMTOL_NO_MEMORY;
+    if (status == ARMTOL_OK) {
+        lay_out(made, made->search.held);
+        made->search.within = setup->within > 0 ? setup->within : USUAL_WITHIN;
+        made->own = setup->near == NULL ? own_robot(setup->arm) : NULL;
+        status = prepare_chain(&made->chain, setup);
+    }
+    if (status != ARMTOL_OK) {
+        armtol_inverse_destroy(made);
+        return status;
+    }
+    *inverse = made;
+    return ARMTOL_OK;
+}
+
+void armtol_inverse_destroy(armtol_inverse *inverse)
+{
+    if (inverse != NULL) {
+        free(inverse->chain.links);
+        free(inverse->chain.joints);
+        free(inverse->memory);
+        free(inverse->search.held);
+        free(inverse);
+    }
+}
+
+double armtol_inverse_size(const armtol_inverse *inverse)
+{
+    return inverse->chain.size;
+}
+
+/* ---- branches ---- */
+
+static bool same_branch(const chain *chain, const double one[], const double other[])
+{
+    bool same = true;
+    for (size_t j = 0; j < chain->n_joints; j++) {
+        double apart = one[j] - other[j];
+        apart -= chain->joints[j].turns ? 2 * PI * floor(apart / (2 * PI) + 0.5) : 0;
+        same = same && fabs(apart) <= ARMTOL_BRANCH_APART * chain->joints[j].unit;
+    }
+    return same;
+}
+
+static bool comes_before(const chain *chain, const armtol_branch *one, const armtol_branch *other)
+{
+    const double further = one->from_near - other->from_near;
+    if (one->own || other->own || fabs(further) > 1e-9 * (1 + other->from_near)) {
+        return one->own || (!other->own && further < 0);
+    }
+    size_t j = 0;
+    while (j + 1 < chain->n_joints && fabs(one->q[j] - other->q[j]) <= ARMTOL_BRANCH_APART * chain->joints[j].unit) {
+        j++;
+    }
+    return one->q[j] > other->q[j];
+}
+
+static armtol_branch branch_of(const armtol_inverse *inverse, const double q[], const chain_error *error)
+{
+    const double *e = error->e;
+    return (armtol_branch){
+        .q = q,
+        .from_near = search_from_near(&inverse->chain, q),
+        .distance = inverse->chain.size * length_of(length_of(e[0], e[1]), e[2]),
+        .angle = inverse->search.goal.n_rows == 6 ? length_of(length_of(e[3], e[4]), e[5]) : 0,
+    };
+}
+
+/* Up or down to its place in the order: all others are in theirs. */
+static void put_in_order(const chain *chain, armtol_branches *branches, size_t i)
+{
+    armtol_branch *branch = branches->branch;
+    for (; i > 0 && comes_before(chain, &branch[i], &branch[i - 1]); i--) {
+        const armtol_branch earlier = branch[i - 1];
+        branch[i - 1] = branch[i];
+        branch[i] = earlier;
+    }
+}
+
+/* The branch that is the same, or count. */
+static size_t find_same(const armtol_inverse *inverse, const armtol_branches *branches, const double q[])
+{
+    size_t i = 0;
+    while (i < branches->count && !same_branch(&inverse->chain, branches->branch[i].q, q)) {
+        i++;
+    }
+    return i;
+}
+
+/* Whether it is a new one. Of more than there is room for the farthest are left out. */
+static bool add_branch(armtol_inverse *inverse, armtol_branches *branches, const double q[], const chain_error *error,
+                       bool own)
+{
+    const size_t n = inverse->chain.n_joints, same = find_same(inverse, branches, q);
+    const bool known = same < branches->count, full = branches->count == ARMTOL_MOST_BRANCHES;
+    const size_t i = known ? same : full ? branches->count - 1 : branches->count;
+    armtol_branch branch = branch_of(inverse, q, error);
+    branch.own = own;
+    if ((known || full) && !comes_before(&inverse->chain, &branch, &branches->branch[i])) {
+        return false;
+    }
+    double *place = inverse->found + (known || full ? branches->branch[i].q - inverse->found : (ptrdiff_t)(i * n));
+    branch.q = memcpy(place, q, n * sizeof *q);
+    branches->branch[i] = branch;
+    branches->count += !known && !full;
+    put_in_order(&inverse->chain, branches, i);
+    return !known;
+}
+
+/* ---- starts ---- */
+
+/* Uniform in [0, 1), by the numbers of start and joint alone. */
+static double drawn(size_t start, size_t joint, size_t n_joints)
+{
+    const uint64_t state = SPLITMIX_STEP * (uint64_t)(start * n_joints + joint + 1);
+    return (double)(splitmix_mix(state) >> 11) * 0x1p-53;
+}
+
+/* Where a joint's value is looked for: its range, a turn, or as far as `span` about `near`. */
+static double drawn_value(const chain_joint *joint, double span, double share)
+{
+    const double about = joint->slides ? span : PI;
+    const bool bounded = isfinite(joint->low) && isfinite(joint->high);
+    if (joint->turns && !(joint->high - joint->low < 2 * PI)) {
+        return joint->near + about * (2 * share - 1);
+    }
+    const double low = bounded ? joint->low : fmax(joint->low, joint->near - about);
+    const double high = bounded ? joint->high : fmin(joint->high, joint->near + about);
+    return low + (high - low) * share;
+}
+
+/* Start 0 is `near`. */
+static void begin(const armtol_inverse *inverse, size_t start)
+{
+    const chain *chain = &inverse->chain;
+    const armtol_transform *tool = &inverse->search.goal.wish->tool;
+    const double span = 2 * chain->size + length_of(length_of(tool->m[0][3], tool->m[1][3]), tool->m[2][3]);
+    for (size_t j = 0; j < chain->n_joints; j++) {
+        const chain_joint *joint = &chain->joints[j];
+        inverse->way[j] = start == 0 ? joint->near : drawn_value(joint, span, drawn(start, j, chain->n_joints));
+    }
+}
+
+/* Whether a start brought a new branch. */
+static bool try_start(armtol_inverse *inverse, size_t start, armtol_branches *branches)
+{
+    const search *search = &inverse->search;
+    chain_error error;
+    begin(inverse, start);
+    search_descend(search, false, inverse->way, &error);
+    if (!search_is_there(search, &error) || !search_bring_within(search, inverse->way, &error)) {
+        return false;
+    }
+    search_approach(search, inverse->way, &error);
+    return add_branch(inverse, branches, inverse->way, &error, false);
+}
+
+static void try_starts(armtol_inverse *inverse, armtol_branches *branches)
+{
+    size_t start = 0, stop = VAIN_STARTS;
+    for (; start < stop && start < ARMTOL_MOST_STARTS; start++) {
+        if (try_start(inverse, start, branches)) {
+            stop = start + 1 + (start + 1 < LEAST_STARTS ? LEAST_STARTS : start + 1);
+        }
+    }
+    branches->starts = start;
+}
+
+/* Where the wish is out of reach: the nearest within the limits, which may be near enough all the same. */
+static void come_near(armtol_inverse *inverse, armtol_branches *branches)
+{
+    double least = (double)INFINITY;
+    for (size_t start = 0; start < LEAST_STARTS; start++) {
+        chain_error error;
+        begin(inverse, start);
+        search_descend(&inverse->search, true, inverse->way, &error);
+        if (error.square < least) {
+            least = error.square;
+            memcpy(inverse->best, inverse->way, inverse->chain.n_joints * sizeof *inverse->best);
+            branches->best = branch_of(inverse, inverse->best, &error);
+        }
+        if (search_is_there(&inverse->search, &error)) {
+            add_branch(inverse, branches, inverse->way, &error, false);
+        }
+    }
+    branches->starts += LEAST_STARTS;
+}
+
+/* By the arm's own inverse kinematics. Its wish is of the last frame, which the tool is `offset` away from. */
+static void try_own(armtol_inverse *inverse, armtol_branches *branches)
+{
+    const search *search = &inverse->search;
+    armtol_transform last = search->goal.wish->tool, tool;
+    chain_error error;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            last.m[i][3] -= last.m[i][k] * inverse->chain.offset[k];
+        }
+    }
+    if (!own_inverse(inverse->own, &last, inverse->way)) {
+        return;
+    }
+    chain_place(&inverse->chain, inverse->way, &tool);
+    chain_compare(&inverse->chain, &search->goal, &tool, &error);
+    if (search_is_there(search, &error) && search_is_within(&inverse->chain, inverse->way)) {
+        add_branch(inverse, branches, inverse->way, &error, true);
+    }
+}
+
+static bool can_be_measured(const armtol_inverse *inverse, const armtol_wish *wish)
+{
+    bool finite = true;
+    for (int i = 0; i < 3; i++) {
+        finite = finite && all_finite(wish->tool.m[i], 4);
+    }
+    if (finite) {
+        armtol_transform tool;
+        chain_error error;
+        begin(inverse, 0);
+        chain_place(&inverse->chain, inverse->way, &tool);
+        chain_compare(&inverse->chain, &inverse->search.goal, &tool, &error);
+        finite = isfinite(error.square);
+    }
+    return finite;
+}
+
+armtol_status armtol_inverse_find(armtol_inverse *inverse, const armtol_wish *wish, armtol_branches *branches)
+{
+    inverse->search.goal = (chain_goal){wish, wish->point_only ? 3 : 6};
+    if (!can_be_measured(inverse, wish)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    branches->count = 0;
+    if (inverse->own != NULL && !wish->point_only) {
+        try_own(inverse, branches);
+    }
+    try_starts(inverse, branches);
+    if (branches->count == 0) {
+        come_near(inverse, branches);
+    }
+    if (branches->count > 0) {
+        branches->best = branches->branch[0];
+    }
+    return branches->count > 0 ? ARMTOL_OK : ARMTOL_OUT_OF_REACH;
+}
