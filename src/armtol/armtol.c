@@ -8,6 +8,7 @@
 #include "armtol/ask/watched.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tell/arm_list.h"
+#include "armtol/tell/branches.h"
 #include "armtol/tell/json_arms.h"
 #include "armtol/tell/laying.h"
 #include "armtol/tell/output.h"
@@ -103,6 +104,19 @@ static int run(const cli_options *options, const arm_model *model)
     return ended;
 }
 
+/* All ways to bring the tool where it is asked to be. */
+static int list_branches(const cli_options *options, const arm_model *model)
+{
+    const units units = units_chosen(options, model);
+    at_wishes at;
+    if (!at_make(&at, options, &units, &model->arm)) {
+        return EXIT_WRONG;
+    }
+    const bool fine = branches_print(&at, options->format);
+    at_free(&at);
+    return fine ? EXIT_OK : EXIT_WRONG;
+}
+
 static int show(arm_model *model, const cli_options *options)
 {
     bool fine = true;
@@ -129,7 +143,9 @@ static int with_arm(const cli_options *options)
     if (code != EXIT_OK) {
         return code;
     }
-    code = options->action == CLI_SHOW ? show(&model, options) : run(options, &model);
+    code = options->action == CLI_SHOW       ? show(&model, options)
+           : options->action == CLI_BRANCHES ? list_branches(options, &model)
+                                             : run(options, &model);
     arm_model_free(&model);
     return code;
 }

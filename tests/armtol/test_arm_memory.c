@@ -1,6 +1,6 @@
 /* Memory that runs out, at every place where it can: a message, and nothing is kept. Built with the linker's --wrap. */
 
-#include "armtol/ask/lists.h"
+#include "armtol/lists/lists.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tables/arm_laying.h"
 #include "console/message.h"

@@ -1,6 +1,6 @@
 /* Lists of poses, and tables with a value for every parameter: what is read, and every message with its place. */
 
-#include "armtol/ask/lists.h"
+#include "armtol/lists/lists.h"
 #include "console/message.h"
 
 #include "support/check.h"

@@ -6,7 +6,7 @@
 #include "fuzz/harness.h"
 #include "fuzz/require.h"
 
-#include "armtol/ask/lists.h"
+#include "armtol/lists/lists.h"
 
 #include "armtol/arm.h"
 

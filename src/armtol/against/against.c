@@ -1,7 +1,7 @@
 #include "armtol/against/against.h"
 
 #include "armtol/ask/arm_source.h"
-#include "armtol/ask/lists.h"
+#include "armtol/lists/lists.h"
 #include "armtol/names/link_name.h"
 #include "console/exit_code.h"
 #include "console/input_file.h"

@@ -17,6 +17,10 @@ enum { MOST_THREADS = 1024 };
 enum {
     OPTION_JOINTS = 256,
     OPTION_POSES,
+    OPTION_AT,
+    OPTION_AT_FILE,
+    OPTION_NEAR,
+    OPTION_BRANCHES,
     OPTION_ACCURACY,
     OPTION_TOLERANCES,
     OPTION_DEGREES,
@@ -61,6 +65,10 @@ enum {
 static const struct option long_options[] = {
     {"joints", required_argument, NULL, OPTION_JOINTS},
     {"poses", required_argument, NULL, OPTION_POSES},
+    {"at", required_argument, NULL, OPTION_AT},
+    {"at-file", required_argument, NULL, OPTION_AT_FILE},
+    {"near", required_argument, NULL, OPTION_NEAR},
+    {"branches", no_argument, NULL, OPTION_BRANCHES},
     {"accuracy", required_argument, NULL, OPTION_ACCURACY},
     {"tolerances", required_argument, NULL, OPTION_TOLERANCES},
     {"degrees", no_argument, NULL, OPTION_DEGREES},
@@ -212,6 +220,16 @@ static bool take_payload(const char *text, cli_options *options)
     return true;
 }
 
+static bool take_at(const char *text, cli_options *options)
+{
+    if (options->n_at == MOST_AT) {
+        message("--at: more than %d positions; expected a file of them, --at-file", MOST_AT);
+        return false;
+    }
+    options->at[options->n_at++] = text;
+    return true;
+}
+
 static bool take_share(const char *text, double *share)
 {
     if (!number_option_parse("--compensated", text, share)) {
@@ -253,6 +271,12 @@ static bool take_problem(int option, const char *argument, cli_options *options)
         return take_text(argument, &options->joints);
     case OPTION_POSES:
         return take_text(argument, &options->poses);
+    case OPTION_AT:
+        return take_at(argument, options);
+    case OPTION_AT_FILE:
+        return take_text(argument, &options->at_file);
+    case OPTION_NEAR:
+        return take_text(argument, &options->near);
     case OPTION_ACCURACY:
         return take_text(argument, &options->accuracy);
     case OPTION_TOLERANCES:
@@ -289,7 +313,7 @@ static bool take_problem(int option, const char *argument, cli_options *options)
 static bool is_first(int option, cli_options *options)
 {
     const uint64_t bit = option >= OPTION_JOINTS ? (uint64_t)1 << (option - OPTION_JOINTS) : 0;
-    const bool twice = (options->seen & bit) != 0 && option != OPTION_PAYLOAD; /* one a load case */
+    const bool twice = (options->seen & bit) != 0 && option != OPTION_PAYLOAD && option != OPTION_AT; /* one a load case, a pose */
     options->seen |= bit;
     for (size_t i = 0; twice && long_options[i].name != NULL; i++) {
         if (long_options[i].val == option && long_options[i].has_arg == required_argument) {
@@ -342,6 +366,8 @@ static bool take_one(int option, const char *argument, void *context)
         return take_action(CLI_LIST, options);
     case OPTION_LINKS:
         return take_action(CLI_LINKS, options);
+    case OPTION_BRANCHES:
+        return take_action(CLI_BRANCHES, options);
     case OPTION_SHOW:
         return take_action(CLI_SHOW, options);
     case 'h':
@@ -414,15 +440,27 @@ static const char *fault_of_comparison(const cli_options *options)
     return options->format == OUTPUT_CSV ? "--csv writes tolerances only; expected --json, or nothing" : NULL;
 }
 
-/* What is missing, or contradicts itself, in a question; NULL where nothing is. */
-static const char *fault_of_question(const cli_options *options)
+/* What is missing, or contradicts itself; NULL where nothing is. */
+static const char *fault_of_poses(const cli_options *options)
 {
-    if (options->joints == NULL && options->poses == NULL) {
-        return "the pose is missing; expected --joints Q or --poses FILE";
+    const bool at = options->n_at > 0 || options->at_file != NULL;
+    if (options->action == CLI_BRANCHES && !at) {
+        return "the position is missing; expected --at x,y,z,gamma,beta,alpha or --at-file FILE with --branches";
+    }
+    if (options->joints == NULL && options->poses == NULL && !at) {
+        return "the pose is missing; expected --joints Q, --poses FILE, --at POSITION or --at-file FILE";
     }
     if (options->joints != NULL && options->poses != NULL) {
         return "--joints and --poses exclude each other";
     }
+    if ((options->joints != NULL || options->poses != NULL) && at) {
+        return "--at and --at-file exclude --joints and --poses";
+    }
+    return options->near != NULL && !at ? "--near is for --at and --at-file" : NULL;
+}
+
+static const char *fault_of_question(const cli_options *options)
+{
     if (options->against != NULL || options->deviations != NULL) {
         return fault_of_comparison(options);
     }
@@ -467,7 +505,11 @@ static const char *fault_of(const cli_options *options)
     if (options->craig && options->format == OUTPUT_JSON) {
         return "--craig writes a table; expected no --json with it";
     }
-    return options->action == CLI_SHOW || options->action == CLI_LINKS ? NULL : fault_of_question(options);
+    if (options->action == CLI_SHOW || options->action == CLI_LINKS) {
+        return NULL;
+    }
+    const char *fault = fault_of_poses(options);
+    return fault != NULL || options->action == CLI_BRANCHES ? fault : fault_of_question(options);
 }
 
 int cli_options_parse(int argc, char *argv[], cli_options *options)

@@ -8,9 +8,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { MOST_PAYLOADS = 64 };
+enum { MOST_PAYLOADS = 64, MOST_AT = 64 };
 
-typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_LINKS, CLI_HELP, CLI_VERSION } cli_action;
+typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_LINKS, CLI_BRANCHES, CLI_HELP, CLI_VERSION } cli_action;
 
 typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
 
@@ -30,6 +30,10 @@ typedef struct cli_options {
     bool as_is;              /* a table's frames stay where they are */
     const char *joints;
     const char *poses;
+    const char *at[MOST_AT];
+    size_t n_at;
+    const char *at_file;
+    const char *near;
     const char *accuracy;
     const char *tool_offset;
     const char *weights;

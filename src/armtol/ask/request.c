@@ -1,10 +1,10 @@
 #include "armtol/ask/request.h"
 
 #include "armtol/ask/given.h"
-#include "armtol/ask/lists.h"
 #include "armtol/ask/nothing_left.h"
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
+#include "armtol/lists/lists.h"
 #include "armtol/names/joint_values.h"
 #include "armtol/names/link_name.h"
 #include "console/exit_code.h"
@@ -83,18 +83,6 @@ static bool check_pose(const units *units, const armtol_arm *arm, size_t pose, c
     return fine;
 }
 
-/* From the user's units to inside ones. */
-static void take_pose(const units *units, const armtol_arm *arm, double q[])
-{
-    size_t joint = 0;
-    for (size_t i = 0; i < arm->n_links; i++) {
-        if (armtol_arm_is_driven(arm, i)) {
-            q[joint] = units_taken(units, arm->links[i].joint == ARMTOL_PRISMATIC, q[joint]);
-            joint++;
-        }
-    }
-}
-
 static bool read_poses(const char *path, size_t n_joints, double **poses, size_t *n_poses)
 {
     FILE *stream = input_file_open("--poses: ", path, "");
@@ -122,15 +110,25 @@ static bool parse_joints(const char *text, const armtol_arm *arm, size_t n_joint
     return number_list_parse("--joints", text, what, false, n_joints, *poses);
 }
 
-/* The poses are to be freed, also after a message. */
-static bool get_poses(const cli_options *options, const armtol_arm *arm, double **poses, size_t *n_poses)
+/* In inside units. The poses are to be freed, also after a message. */
+static bool get_poses(request *request)
 {
+    const cli_options *options = request->options;
+    const armtol_arm *arm = request->question.arm;
     const size_t n_joints = armtol_arm_joint_count(arm);
-    return options->poses != NULL ? read_poses(options->poses, n_joints, poses, n_poses)
-                                  : parse_joints(options->joints, arm, n_joints, poses, n_poses);
+    size_t *n_poses = &request->question.n_poses;
+    if (at_is_asked(options)) {
+        return at_find_poses(options, &request->units, arm, &request->q, &request->taken, n_poses);
+    }
+    const bool fine = options->poses != NULL ? read_poses(options->poses, n_joints, &request->q, n_poses)
+                                             : parse_joints(options->joints, arm, n_joints, &request->q, n_poses);
+    for (size_t pose = 0; fine && pose < *n_poses; pose++) {
+        units_take_joints(&request->units, arm, request->q + pose * n_joints);
+    }
+    return fine;
 }
 
-static bool take_tool(const cli_options *options, const units *units, armtol_tool_point *tool)
+bool request_tool(const cli_options *options, const units *units, armtol_tool_point *tool)
 {
     *tool = (armtol_tool_point){{0, 0, 0}, options->frame};
     if (options->tool_offset != NULL &&
@@ -147,12 +145,10 @@ static bool take_poses(request *request)
 {
     const armtol_arm *arm = request->question.arm;
     const size_t n_joints = armtol_arm_joint_count(arm);
-    bool fine = take_tool(request->options, &request->units, &request->question.tool) &&
-                get_poses(request->options, arm, &request->q, &request->question.n_poses);
+    bool fine = request_tool(request->options, &request->units, &request->question.tool) && get_poses(request);
     for (size_t pose = 0; fine && pose < request->question.n_poses; pose++) {
-        double *const q = request->q + pose * n_joints;
-        take_pose(&request->units, arm, q);
-        fine = request->options->ignore_limits || check_pose(&request->units, arm, pose, q);
+        fine = request->options->ignore_limits ||
+               check_pose(&request->units, arm, pose, request->q + pose * n_joints);
     }
     request->question.q = request->q;
     return fine;
@@ -361,6 +357,7 @@ int request_make(request *request, const cli_options *options, const arm_model *
 void request_free(request *request)
 {
     free(request->q);
+    free(request->taken);
     free(request->columns);
     free(request->weights);
     free(request->tolerances);

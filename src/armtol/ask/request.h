@@ -2,6 +2,7 @@
 #define ARMTOL_ASK_REQUEST_H
 
 #include "armtol/answer.h"
+#include "armtol/ask/at.h"
 #include "armtol/ask/options.h"
 #include "armtol/ask/units.h"
 #include "armtol/tables/arm_model.h"
@@ -15,6 +16,7 @@ typedef struct request {
     double accuracy[6];               /* the question's, as are these: */
     double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */
     double *least, *largest;
+    at_taken *taken;                  /* of each pose, where its position was asked for; else NULL */
     armtol_arm arm;       /* the model's, with drives of its own: */
     armtol_drive *drives;
     armtol_loading loading;
@@ -26,6 +28,9 @@ typedef struct request {
 /* EXIT_OK, or an exit code after a message; nothing is then to be freed. The request stays where it is. */
 int request_make(request *request, const cli_options *options, const arm_model *model);
 void request_free(request *request);
+
+/* The tool point that is meant; false after a message. */
+bool request_tool(const cli_options *options, const units *units, armtol_tool_point *tool);
 
 /* The engine's answer, to be destroyed. EXIT_OK, or an exit code after a message. */
 int request_answer(const request *request, armtol_answer **answer);

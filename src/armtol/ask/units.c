@@ -46,6 +46,17 @@ double units_taken(const units *units, bool is_length, double value)
     return units->angle == UNIT_DEGREE ? scaled(value, PI, 180) : value;
 }
 
+void units_take_joints(const units *units, const armtol_arm *arm, double q[])
+{
+    size_t joint = 0;
+    for (size_t i = 0; i < arm->n_links; i++) {
+        if (armtol_arm_is_driven(arm, i)) {
+            q[joint] = units_taken(units, arm->links[i].joint == ARMTOL_PRISMATIC, q[joint]);
+            joint++;
+        }
+    }
+}
+
 double units_typed(const units *units, bool is_length, double value)
 {
     const double shown = units_shown(units, is_length, value);

@@ -28,6 +28,9 @@ double units_taken(const units *units, bool is_length, double value);
  */
 double units_typed(const units *units, bool is_length, double value);
 
+/* Joint values, from the user's to inside: one for each joint that moves by itself. */
+void units_take_joints(const units *units, const armtol_arm *arm, double q[]);
+
 /* What the command line chooses for an arm; what it does not say is the arm's. */
 units units_chosen(const cli_options *options, const arm_model *model);
 

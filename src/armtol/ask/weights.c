@@ -1,6 +1,6 @@
 #include "armtol/ask/weights.h"
 
-#include "armtol/ask/lists.h"
+#include "armtol/lists/lists.h"
 #include "armtol/ask/named.h"
 #include "armtol/ask/number_list.h"
 #include "console/input_file.h"

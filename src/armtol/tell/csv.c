@@ -19,9 +19,28 @@ static void put_name(const char *name)
     fputs(quotes ? "\"" : "", stdout);
 }
 
+/* Poses that were asked for by their positions: a remark for each, which whoever reads the table passes over. */
+static void print_taken(const findings *findings)
+{
+    const request *request = findings->request;
+    const armtol_arm *arm = request->question.arm;
+    for (size_t pose = 0; pose < request->question.n_poses && request->taken != NULL; pose++) {
+        const double *q = request->q + pose * findings->answer->n_joints;
+        printf("# pose %zu: branch 1 of %zu, joints", pose + 1, request->taken[pose].n_branches);
+        for (size_t i = 0; i < arm->n_links; i++) {
+            if (armtol_arm_is_driven(arm, i)) {
+                const double shown = units_typed(&request->units, arm->links[i].joint == ARMTOL_PRISMATIC, *q++);
+                printf(" %s", number_shortest(shown, &armtol_errata_none, &(number_text){""}));
+            }
+        }
+        printf("\n");
+    }
+}
+
 bool output_csv(const findings *findings)
 {
     const bool names = links_have_names(findings->request->question.arm);
+    print_taken(findings);
     printf("link,kind,parameter,role,nominal,tolerance,unit%s\n", names ? ",name" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row row = findings_parameter(findings, k);

@@ -56,6 +56,17 @@ static void write_frame(json *json, const findings *findings, size_t pose)
     json_numbers(json, "zyx", (const double[]){as_pose[5], as_pose[4], as_pose[3]}, 3);
 }
 
+/* Of a pose that was asked for by its position: the first of so many branches, and how far off it is. */
+static void write_taken(json *json, const findings *findings, size_t pose)
+{
+    const at_taken *taken = &findings->request->taken[pose];
+    json_count(json, "branch", 1);
+    json_count(json, "branches", taken->n_branches);
+    json_text(json, "inverse", taken->own ? "own" : "search");
+    json_number(json, "distance", units_shown(&findings->request->units, true, taken->distance));
+    json_number(json, "angle", units_shown(&findings->request->units, false, taken->angle));
+}
+
 static void write_poses(json *json, const findings *findings)
 {
     const armtol_answer *answer = findings->answer;
@@ -79,6 +90,9 @@ static void write_poses(json *json, const findings *findings)
             point[i] = units_shown(units, true, point[i]);
         }
         json_numbers(json, "tool", point, 3);
+        if (findings->request->taken != NULL) {
+            write_taken(json, findings, pose);
+        }
         if (findings->request->options->tool_pose) {
             write_frame(json, findings, pose);
         }

@@ -36,6 +36,19 @@ static void print_frame(const findings *findings, size_t pose)
     printf("\n");
 }
 
+/* Of a pose that was asked for by its position. */
+static void say_branch(const findings *findings, size_t pose, wrap *wrap)
+{
+    const at_taken *taken = &findings->request->taken[pose];
+    const units *units = &findings->request->units;
+    wrap_say(wrap, "branch 1 of %zu%s%s", taken->n_branches, taken->own ? ", by the arm's own inverse kinematics" : "",
+             taken->exact ? "" : ",");
+    if (!taken->exact) {
+        wrap_say(wrap, "off the position by %.3g %s and %.3g %s", units_shown(units, true, taken->distance),
+                 units_name(units, true), units_shown(units, false, taken->angle), units_name(units, false));
+    }
+}
+
 static void print_pose(const findings *findings, size_t pose)
 {
     const armtol_answer *answer = findings->answer;
@@ -56,7 +69,10 @@ static void print_pose(const findings *findings, size_t pose)
     }
     wrap_say(&wrap, "tool point");
     for (int i = 0; i < 3; i++) {
-        wrap_say(&wrap, "%.6g", units_shown(units, true, point[i]));
+        wrap_say(&wrap, i == 2 && findings->request->taken != NULL ? "%.6g," : "%.6g", units_shown(units, true, point[i]));
+    }
+    if (findings->request->taken != NULL) {
+        say_branch(findings, pose, &wrap);
     }
     wrap_end(&wrap);
     if (findings->request->options->tool_pose) {

@@ -1,4 +1,4 @@
-#include "armtol/ask/lists.h"
+#include "armtol/lists/lists.h"
 
 #include "armtol/names/link_name.h"
 #include "armtol/tables/cells.h"

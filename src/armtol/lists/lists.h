@@ -1,5 +1,5 @@
-#ifndef ARMTOL_ASK_LISTS_H
-#define ARMTOL_ASK_LISTS_H
+#ifndef ARMTOL_LISTS_LISTS_H
+#define ARMTOL_LISTS_LISTS_H
 
 #include "armtol/arm.h"
 #include "armtol/error_matrix.h"
@@ -19,6 +19,15 @@
  * n_joints values a pose; NULL where the file was wrong.
  */
 bool poses_read(FILE *stream, const char *path, size_t n_joints, double **poses, size_t *n_poses);
+
+/* Where the tool should be, as typed: x, y, z and, unless n is 3, gamma, beta, alpha. */
+typedef struct typed_wish {
+    double value[6];
+    size_t n;
+} typed_wish;
+
+/* Positions, one a line, each with angles or without; a file has one or more. *wishes as *poses above. */
+bool wishes_read(FILE *stream, const char *path, typed_wish **wishes, size_t *n_wishes);
 
 /* What a file says of parameters: one value a column of A; the file has a head that names its columns. */
 typedef struct parameter_table {

@@ -1,4 +1,4 @@
-#include "armtol/ask/lists.h"
+#include "armtol/lists/lists.h"
 
 #include "armtol/tables/cells.h"
 #include "console/file_message.h"
