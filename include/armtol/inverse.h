@@ -14,9 +14,10 @@ ARMTOL_INTERFACE_BEGIN
 /* Inverse kinematics of any arm: from where its tool should be to joint values that bring it there. */
 
 /* The most branches that are kept of a wish, and the most starts that are made for it. */
-enum { ARMTOL_MOST_BRANCHES = 64, ARMTOL_MOST_STARTS = 1024 };
+enum { ARMTOL_MOST_BRANCHES = 32, ARMTOL_MOST_STARTS = 1024 };
 
-/* Branches no further apart than this, radians or shares of the arm's size, in every joint are one. */
+/* Branches no further apart than this, radians or shares of the arm's size, in every joint are one;
+   those of note 6 that are as far from `near`, to 1e-6, where they are no further apart than a hundred times this. */
 #define ARMTOL_BRANCH_APART 1e-4
 
 /* Where the tool should be: its axes and, in the last column, its point, in base coordinates (euler.h makes one). */
@@ -31,6 +32,7 @@ typedef struct armtol_inverse_setup {
     double offset[3];      /* the tool point, from the last frame's origin, in that frame */
     const double *near;    /* a value a joint: the posture that the branches should be near; NULL: note 3 */
     bool ignore_limits;    /* joint values may be beyond the limits that the drives have */
+    size_t enough;         /* so many branches are: no start is made once they are found; 0: all are wanted */
     double within;         /* how near counts as there: radians, and shares of the arm's size; 0: 1e-10 */
 } armtol_inverse_setup;
 
@@ -89,9 +91,10 @@ double armtol_inverse_size(const armtol_inverse *inverse);
  * 1) Levenberg and Marquardt's damped least squares: with the error e = (distance by axis / size, rotation vector) and
  *    the Jacobian J of the joints, a step is (J'J + l)^-1 J'e, or J'(JJ' + l)^-1 e, the same in exact arithmetic, where
  *    there are more joints than components. It begins at `near` and at postures drawn within the joints' ranges
- *    (splitmix64 of start and joint: the same each time), until 64 starts, and as many again as were made when the last
- *    branch was found, have brought nothing new. So "all" means all that were found: a branch that few starts lead to can be missed, which
- *    docs/inverse.md counts.
+ *    (splitmix64 of start and joint: the same each time), until 64 starts (16 where there are more joints than
+ *    components), and as many as were made when the last branch was found, have brought nothing new; 256 where nothing at
+ *    all is found. So "all" means all that were found: a branch that few starts lead to can be missed. docs/inverse.md
+ *    counts how often.
  * 2) A joint that turns freely has its value within its limits that is nearest to `near`; postures that differ by whole
  *    turns are one branch. A branch keeps to the limits of its joints, and of those that follow them.
  * 3) The usual `near` is the middle of each joint's range, where both of its limits are known; else 0, or the limit

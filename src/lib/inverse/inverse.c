@@ -12,14 +12,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Starts that have to bring nothing new, and those that are made where nothing at all is found. */
-enum { LEAST_STARTS = 64, VAIN_STARTS = 256 };
+/*
+ * Starts that have to bring nothing new; of an arm with more joints than components, which arrives from nearly every start;
+ * and those that are made where nothing at all is found.
+ */
+enum { LEAST_STARTS = 64, REDUNDANT_STARTS = 16, VAIN_STARTS = 256, MOST_REFINEMENTS = 50 };
 
 #define USUAL_WITHIN 1e-10
 
 struct armtol_inverse {
     chain chain;
     search search;
+    size_t enough;           /* branches */
     const armtol_robot *own; /* NULL but for an arm of 1987 whose own way is wanted */
     double *memory;          /* what chain, search and the following have of doubles */
     double *found;           /* MOST_BRANCHES x n_joints, a place for each branch */
@@ -81,6 +85,7 @@ armtol_status armtol_inverse_create(const armtol_inverse_setup *setup, armtol_in
     if (status == ARMTOL_OK) {
         lay_out(made, made->search.held);
         made->search.within = setup->within > 0 ? setup->within : USUAL_WITHIN;
+        made->enough = setup->enough > 0 ? setup->enough : SIZE_MAX;
         made->own = setup->near == NULL ? own_robot(setup->arm) : NULL;
         status = prepare_chain(&made->chain, setup);
     }
@@ -110,13 +115,27 @@ double armtol_inverse_size(const armtol_inverse *inverse)
 
 /* ---- branches ---- */
 
-static bool same_branch(const chain *chain, const double one[], const double other[])
+/* More joints than components: it can move while the tool stands. */
+static bool is_redundant(const armtol_inverse *inverse)
 {
+    return inverse->chain.n_joints > inverse->search.goal.n_rows;
+}
+
+/*
+ * Postures that can be moved while the tool stands come to where `near` is nearest only as well as rounding tells: in a flat
+ * valley, as far from `near` as each other, they can be some way apart.
+ */
+static bool same_branch(const armtol_inverse *inverse, const double one[], const double other[])
+{
+    const chain *chain = &inverse->chain;
+    const double far = search_from_near(chain, one), further = fabs(search_from_near(chain, other) - far);
+    const bool flat = is_redundant(inverse) && further <= 1e-6 * far;
+    const double most = flat ? 100 * ARMTOL_BRANCH_APART : ARMTOL_BRANCH_APART;
     bool same = true;
     for (size_t j = 0; j < chain->n_joints; j++) {
         double apart = one[j] - other[j];
         apart -= chain->joints[j].turns ? 2 * PI * floor(apart / (2 * PI) + 0.5) : 0;
-        same = same && fabs(apart) <= ARMTOL_BRANCH_APART * chain->joints[j].unit;
+        same = same && fabs(apart) <= most * chain->joints[j].unit;
     }
     return same;
 }
@@ -160,7 +179,7 @@ static void put_in_order(const chain *chain, armtol_branches *branches, size_t i
 static size_t find_same(const armtol_inverse *inverse, const armtol_branches *branches, const double q[])
 {
     size_t i = 0;
-    while (i < branches->count && !same_branch(&inverse->chain, branches->branch[i].q, q)) {
+    while (i < branches->count && !same_branch(inverse, branches->branch[i].q, q)) {
         i++;
     }
     return i;
@@ -236,13 +255,30 @@ static bool try_start(armtol_inverse *inverse, size_t start, armtol_branches *br
 
 static void try_starts(armtol_inverse *inverse, armtol_branches *branches)
 {
+    const size_t least = is_redundant(inverse) ? REDUNDANT_STARTS : LEAST_STARTS;
     size_t start = 0, stop = VAIN_STARTS;
-    for (; start < stop && start < ARMTOL_MOST_STARTS; start++) {
+    for (; start < stop && start < ARMTOL_MOST_STARTS && branches->count < inverse->enough; start++) {
         if (try_start(inverse, start, branches)) {
-            stop = start + 1 + (start + 1 < LEAST_STARTS ? LEAST_STARTS : start + 1);
+            stop = start + 1 + (start + 1 < least ? least : start + 1);
         }
     }
     branches->starts = start;
+}
+
+/* Downhill comes to a rest before it is at the bottom: from there it is begun anew until that brings nothing. */
+static void refine_best(armtol_inverse *inverse, armtol_branches *branches)
+{
+    chain_error error;
+    double before;
+    search_descend(&inverse->search, true, inverse->best, &error);
+    for (int i = 0; i < MOST_REFINEMENTS; i++) {
+        before = error.square;
+        search_descend(&inverse->search, true, inverse->best, &error);
+        if (!(error.square < before * (1 - 1e-12))) {
+            break;
+        }
+    }
+    branches->best = branch_of(inverse, inverse->best, &error);
 }
 
 /* Where the wish is out of reach: the nearest within the limits, which may be near enough all the same. */
@@ -256,13 +292,13 @@ static void come_near(armtol_inverse *inverse, armtol_branches *branches)
         if (error.square < least) {
             least = error.square;
             memcpy(inverse->best, inverse->way, inverse->chain.n_joints * sizeof *inverse->best);
-            branches->best = branch_of(inverse, inverse->best, &error);
         }
         if (search_is_there(&inverse->search, &error)) {
             add_branch(inverse, branches, inverse->way, &error, false);
         }
     }
     branches->starts += LEAST_STARTS;
+    refine_best(inverse, branches);
 }
 
 /* By the arm's own inverse kinematics. Its wish is of the last frame, which the tool is `offset` away from. */

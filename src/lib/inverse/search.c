@@ -242,7 +242,7 @@ void search_approach(const search *search, double q[], chain_error *error)
             search->pull[j] = (chain->joints[j].near - q[j]) / chain->joints[j].unit;
         }
         find_standing_step(search, true, q);
-        if (!(length_of_steps(search->step, n) > 1e-6 * far)) {
+        if (!(length_of_steps(search->step, n) > 1e-7 * far)) {
             return;
         }
         share = take_standing_step(search, q, i == 0 ? 1 : next_share(search, share), far, error);
