@@ -133,6 +133,21 @@ static void test_poses(void)
     check_out_of_memory(read_poses, "1\n2\n3\n4\n5\n6\n7\n8\n9\n10\n11\n12\n13\n14\n15\n16\n17\n", 4);
 }
 
+static bool read_wishes(FILE *stream)
+{
+    typed_wish *wishes;
+    size_t n_wishes;
+    const bool fine = wishes_read(stream, "at.csv", &wishes, &n_wishes);
+    free(wishes);
+    return fine;
+}
+
+static void test_positions(void)
+{
+    check_out_of_memory(read_wishes, "1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n"
+                                     "1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3\n1 2 3 4 5 6\n", 4);
+}
+
 static bool read_parameters(FILE *stream)
 {
     static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}};
@@ -156,6 +171,7 @@ int main(void)
     RUN_TEST(test_an_arm_laid_anew);
     RUN_TEST(test_a_table_in_craigs_order);
     RUN_TEST(test_poses);
+    RUN_TEST(test_positions);
     RUN_TEST(test_parameters);
     return UNITY_END();
 }

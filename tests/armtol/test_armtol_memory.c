@@ -30,6 +30,13 @@ static void test_every_answer(void)
     check_short_main(armtol_main, (const char *const[]){ASKED, "--csv", NULL}, 6);
 }
 
+static void test_positions(void)
+{
+    check_short_main(armtol_main, (const char *const[]){"armtol", "scara", "--at", "300,100,200", "--near", "0,0,0,0",
+                                                        "--accuracy", "1,1,1,1,1,1", NULL}, 10);
+    check_short_main(armtol_main, (const char *const[]){"armtol", "scara", "--at", "300,100,200", "--branches", NULL}, 5);
+}
+
 /* What leaves nothing is asked for once more, to be named. */
 static void test_no_answer(void)
 {
@@ -46,6 +53,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_every_answer);
+    RUN_TEST(test_positions);
     RUN_TEST(test_no_answer);
     RUN_TEST(test_another_arm);
     return UNITY_END();

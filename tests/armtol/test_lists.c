@@ -119,6 +119,89 @@ static void test_wrong_poses(void)
     check_poses_refused("1:4: the quoted cell does not end on this line", "1, \"2, 3\n");
 }
 
+/* ---- positions ---- */
+
+static bool read_wishes(const char *text, typed_wish **wishes, size_t *n_wishes, said *said)
+{
+    FILE *stream = stream_of(text, strlen(text));
+    said_begin();
+    const bool fine = wishes_read(stream, "at.csv", wishes, n_wishes);
+    said_end(said);
+    fclose(stream);
+    return fine;
+}
+
+/* Two positions, the second without angles. */
+static void check_wishes(const char *text)
+{
+    static const double first[] = {1, -2, 0.5, 10, 20, -30}, second[] = {4, 5, 600};
+    typed_wish *wishes;
+    size_t n_wishes;
+    said said;
+    const bool fine = read_wishes(text, &wishes, &n_wishes, &said);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE("", said.text, text);
+    TEST_ASSERT_TRUE_MESSAGE(fine, text);
+    TEST_ASSERT_EQUAL_UINT_MESSAGE(2, n_wishes, text);
+    TEST_ASSERT_EQUAL_UINT(6, wishes[0].n);
+    TEST_ASSERT_EQUAL_UINT(3, wishes[1].n);
+    for (size_t i = 0; i < 6; i++) {
+        check_same(first[i], wishes[0].value[i], "value %zu of %s", i, text);
+        check_same(i < 3 ? second[i] : 0, wishes[1].value[i], "value %zu of %s", i, text);
+    }
+    free(wishes);
+}
+
+static void test_positions(void)
+{
+    check_wishes("1 -2 0.5 10 20 -30\n4 5 600\n");
+    check_wishes("# x, y, z\n1,-2,.5,10,20,-30 # down\r\n\r\n4, 5, 6e2");
+    check_wishes("\xef\xbb\xbf" "1;-2;0,5;10;20;-30;;\r\n4;5;600,0\r\n");
+}
+
+static void check_wishes_refused(const char *expected, const char *text)
+{
+    typed_wish *wishes;
+    size_t n_wishes;
+    said said;
+    char line[1100];
+    const bool fine = read_wishes(text, &wishes, &n_wishes, &said);
+    snprintf(line, sizeof line, "armtol: at.csv:%s; expected x y z, or x y z gamma beta alpha%s\n", expected,
+             expected[0] == ' ' ? " in a line for each" : "");
+    TEST_ASSERT_EQUAL_STRING_MESSAGE(line, said.text, text);
+    TEST_ASSERT_FALSE_MESSAGE(fine, text);
+    TEST_ASSERT_NULL(wishes);
+    TEST_ASSERT_EQUAL_UINT(0, n_wishes);
+}
+
+static void test_wrong_positions(void)
+{
+    check_wishes_refused(" no positions", "");
+    check_wishes_refused(" no positions", "# none\n;;\n");
+    check_wishes_refused("1:2: 1 value", "1\n");
+    check_wishes_refused("2:8: 4 values", "1 2 3\n1 2 3 4\n");
+    check_wishes_refused("1:13: 7 values", "1 2 3 4 5 6 7\n");
+    check_wishes_refused("2:3: \"y\" is not a number", "1 2 3\n1 y 3\n");
+    check_wishes_refused("1:1: \"nan\" is not a finite number", "nan,2,3\n");
+}
+
+/* A pipe may have no end. */
+static void test_too_many_positions(void)
+{
+    enum { MOST = 1000000, LINE = 6 };
+    char *text = malloc((size_t)(MOST + 1) * LINE + 1);
+    typed_wish *wishes;
+    size_t n_wishes;
+    said said;
+    TEST_ASSERT_NOT_NULL(text);
+    for (size_t i = 0; i <= MOST; i++) {
+        memcpy(text + LINE * i, "1,2,3\n", LINE);
+    }
+    text[(size_t)(MOST + 1) * LINE] = '\0';
+    TEST_ASSERT_FALSE(read_wishes(text, &wishes, &n_wishes, &said));
+    TEST_ASSERT_EQUAL_STRING("armtol: at.csv:1000001:1: more than 1000000 positions\n", said.text);
+    free(text);
+}
+
 /* ---- parameters ---- */
 
 static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_PPR, ARMTOL_REVOLUTE}};
@@ -262,6 +345,9 @@ int main(void)
     RUN_TEST(test_many_poses);
     RUN_TEST(test_a_wrong_pose_of_one_joint);
     RUN_TEST(test_wrong_poses);
+    RUN_TEST(test_positions);
+    RUN_TEST(test_wrong_positions);
+    RUN_TEST(test_too_many_positions);
     RUN_TEST(test_parameters);
     RUN_TEST(test_wrong_heads_of_parameters);
     RUN_TEST(test_wrong_rows_of_parameters);

@@ -1,5 +1,5 @@
 /*
- * Files of poses, and of tolerances or weights. The first byte says which; the second, for poses, how many joints, and
+ * Files of poses, of positions, and of tolerances or weights. The first byte says which; the second, for poses, how many joints, and
  * for parameters, which arm and what is asked of the table.
  */
 
@@ -27,6 +27,22 @@ static void check_poses(FILE *stream, unsigned choice)
         REQUIRE(isfinite(poses[i]));
     }
     free(poses);
+}
+
+static void check_wishes(FILE *stream)
+{
+    typed_wish *wishes;
+    size_t n_wishes;
+    const bool fine = wishes_read(stream, "at.csv", &wishes, &n_wishes);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    REQUIRE(fine == (wishes != NULL) && fine == (n_wishes > 0));
+    for (size_t i = 0; i < n_wishes; i++) {
+        REQUIRE(wishes[i].n == 3 || wishes[i].n == 6);
+        for (size_t k = 0; k < 6; k++) {
+            REQUIRE(isfinite(wishes[i].value[k]));
+        }
+    }
+    free(wishes);
 }
 
 static void check_values(const parameter_table *table, bool infinite_allowed, const double values[])
@@ -74,7 +90,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     }
     FILE *stream = caught_file(data + 2, size - 2);
     caught_forget();
-    if (data[0] % 2 == 0) {
+    if (data[0] == 'w') {
+        check_wishes(stream);
+    } else if (data[0] % 2 == 0) {
         check_poses(stream, data[1] - '0');
     } else {
         check_parameters(stream, data[1]);
