@@ -4,9 +4,11 @@
 
 void cli_help(void)
 {
-    puts("Usage: armtol ARM (--joints Q | --poses FILE) --accuracy dx,dy,dz,wx,wy,wz\n"
+    puts("Usage: armtol ARM (--joints Q | --poses FILE | --at POSITION)\n"
+         "              --accuracy dx,dy,dz,wx,wy,wz [OPTION]...\n"
+         "       armtol ARM (--joints Q | --poses FILE | --at POSITION) --tolerances FILE\n"
          "              [OPTION]...\n"
-         "       armtol ARM (--joints Q | --poses FILE) --tolerances FILE [OPTION]...\n"
+         "       armtol ARM --at POSITION --branches\n"
          "       armtol --list | armtol ARM --show | armtol ARM --links\n"
          "How precisely the parts of an arm have to be made for its tool to be as accurate\n"
          "as required; or how accurate it is with given tolerances. ARM is a name of\n"
@@ -16,6 +18,14 @@ void cli_help(void)
          "                              order of the arm; or NAME=VALUE,... in any order\n"
          "      --poses FILE            several poses, one a line: what is answered holds\n"
          "                              in all\n"
+         "      --at POSITION           where the tool is to be, in place of joint values:\n"
+         "                              x,y,z or x,y,z,gamma,beta,alpha; given again:\n"
+         "                              another pose\n"
+         "      --at-file FILE          such positions, one a line\n"
+         "      --near Q                the joint values that those of --at are to be near\n"
+         "                              (default: the middle of each range, or 0)\n"
+         "      --branches              list all joint values found for --at, and answer\n"
+         "                              nothing else\n"
          "      --accuracy A            the largest error of the tool: three linear\n"
          "                              components and three rotations; - for one that is\n"
          "                              free\n"

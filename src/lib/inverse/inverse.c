@@ -198,7 +198,10 @@ static bool add_branch(armtol_inverse *inverse, armtol_branches *branches, const
         return false;
     }
     double *place = inverse->found + (known || full ? branches->branch[i].q - inverse->found : (ptrdiff_t)(i * n));
-    branch.q = memcpy(place, q, n * sizeof *q);
+    for (size_t j = 0; j < n; j++) { /* what rounding left of a 0 is 0 */
+        place[j] = fabs(q[j]) < 1e-14 * inverse->chain.joints[j].unit ? 0 : q[j];
+    }
+    branch.q = place;
     branches->branch[i] = branch;
     branches->count += !known && !full;
     put_in_order(&inverse->chain, branches, i);
