@@ -1,6 +1,6 @@
 /*
  * The numerics behind armtol, on arms, poses, accuracies and weights that are made of the bytes: A, the optima, the
- * spheres, the remainder, the sampler. Every promise of the headers that can be looked at is.
+ * spheres, the remainder, the sampler, inverse kinematics. Every promise of the headers that can be looked at is.
  */
 
 #include "fuzz/bytes.h"
@@ -392,6 +392,32 @@ static void check_poses(const problem *problem)
     }
 }
 
+/* Where the first pose brings the tool is asked for near that pose: the first start is there. */
+static void check_inverse(const problem *problem)
+{
+    armtol_drive drives[MOST_LINKS];
+    for (size_t i = 0; i < problem->n_links; i++) {
+        drives[i] = armtol_drive_unknown;
+    }
+    const armtol_arm arm = {.name = "arm", .n_links = problem->n_links, .links = problem->links, .drives = drives};
+    const armtol_inverse_setup setup = {.arm = &arm, .near = problem->q, .enough = 1};
+    armtol_wish wish = {armtol_chain_transform(problem->placed[0], problem->n_links, &armtol_errata_none), false};
+    armtol_inverse *inverse;
+    armtol_branches branches;
+    const armtol_status made = armtol_inverse_create(&setup, &inverse);
+    REQUIRE(made == ARMTOL_OK || (made == ARMTOL_NOT_FINITE && problem->wild));
+    if (made != ARMTOL_OK) {
+        return;
+    }
+    const armtol_status status = armtol_inverse_find(inverse, &wish, &branches);
+    REQUIRE(problem->wild || status == ARMTOL_OK);
+    if (status == ARMTOL_OK) {
+        REQUIRE(branches.count == 1 && branches.branch[0].angle <= 1e-10);
+        REQUIRE(branches.branch[0].distance <= 1e-10 * armtol_inverse_size(inverse));
+    }
+    armtol_inverse_destroy(inverse);
+}
+
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     (void)argc;
@@ -410,6 +436,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         return 0;
     }
     check_poses(&problem);
+    check_inverse(&problem);
     clear_matrices(&problem);
     check_sphere(&problem);
     if (check_optimum(&problem, ARMTOL_ROOT_SUM_SQUARES, tolerances)) {

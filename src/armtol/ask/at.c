@@ -146,13 +146,19 @@ static armtol_wish inside_wish(const at_wishes *at, const typed_wish *typed)
     return (armtol_wish){armtol_pose_to_transform(pose, &armtol_errata_none), typed->n == 3};
 }
 
+/* The least sum of squares is flat: what it leaves of a 0 is the root of what rounding does. */
+static double plain(double value, double unit)
+{
+    return value < 1e-7 * unit ? 0 : value;
+}
+
 static void say_out_of_reach(const at_wishes *at, size_t number, const armtol_branch *best)
 {
     const typed_wish *wish = &at->wishes[number];
     const size_t n_joints = armtol_arm_joint_count(at->arm);
     char angle[80] = "", hint[120] = "";
     if (wish->n == 6) {
-        snprintf(angle, sizeof angle, " and %.6g %s", units_shown(at->units, false, best->angle),
+        snprintf(angle, sizeof angle, " and %.6g %s", units_shown(at->units, false, plain(best->angle, 1)),
                  units_name(at->units, false));
     }
     if (wish->n == 6 && n_joints < 6) {
@@ -160,7 +166,8 @@ static void say_out_of_reach(const at_wishes *at, size_t number, const armtol_br
                  n_joints, n_joints == 1 ? "" : "s");
     }
     message("pose %zu: the position is out of reach of %.40s%s: the nearest found is %.6g %s%s off%s", number + 1,
-            at->arm->name, at->limited ? " within its limits" : "", units_shown(at->units, true, best->distance),
+            at->arm->name, at->limited ? " within its limits" : "",
+            units_shown(at->units, true, plain(best->distance, armtol_inverse_size(at->inverse))),
             units_name(at->units, true), angle, hint);
 }
 

@@ -138,7 +138,10 @@ static void begin(json *json, const at_wishes *at, output_format format)
         }
         puts(",from_near,inverse");
     } else {
-        printf("%s, in %s and %s\n", at->arm->title, units_name(at->units, true), units_name(at->units, false));
+        wrap wrap;
+        wrap_start(&wrap, stdout, 0, 0);
+        wrap_say(&wrap, "%s, in %s and %s", at->arm->title, units_name(at->units, true), units_name(at->units, false));
+        wrap_end(&wrap);
     }
 }
 
