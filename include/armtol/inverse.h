@@ -33,7 +33,8 @@ typedef struct armtol_inverse_setup {
     const double *near;    /* a value a joint: the posture that the branches should be near; NULL: note 3 */
     bool ignore_limits;    /* joint values may be beyond the limits that the drives have */
     size_t enough;         /* so many branches are: no start is made once they are found; 0: all are wanted */
-    double within;         /* how near counts as there: radians, and shares of the arm's size; 0: 1e-10 */
+    double within;         /* how near counts as there: radians, and shares of the arm's size, or of the
+                              wish's distance where that is larger; 0: 1e-10 */
 } armtol_inverse_setup;
 
 /* One way to bring the tool there. */
@@ -98,7 +99,8 @@ double armtol_inverse_size(const armtol_inverse *inverse);
  * 2) A joint that turns freely has its value within its limits that is nearest to `near`; postures that differ by whole
  *    turns are one branch. A branch keeps to the limits of its joints, and of those that follow them.
  * 3) The usual `near` is the middle of each joint's range, where both of its limits are known; else 0, or the limit
- *    where 0 is beyond it. A slide whose limits are not known is looked for over twice the size and the wish's distance.
+ *    where 0 is beyond it. A slide whose limits are not known is looked for over twice the size and the wish's distance (at least
+ *    the size) to either side.
  * 4) Branches come by their distance from `near`. Where two are as far (to 1e-9) the one comes first whose first joint
  *    that differs has the larger value.
  * 5) Where `near` is NULL and the arm is one of 1987 (the table of robots.h, corrected, in millimetres) its own inverse

@@ -36,6 +36,7 @@ typedef struct chain {
 typedef struct chain_goal {
     const armtol_wish *wish;
     size_t n_rows; /* 6, or 3 where the axes are free */
+    double away;   /* how far the wish is, in sizes of the arm; 1 where it is nearer */
 } chain_goal;
 
 typedef struct chain_error {

@@ -234,8 +234,7 @@ static double drawn_value(const chain_joint *joint, double span, double share)
 static void begin(const armtol_inverse *inverse, size_t start)
 {
     const chain *chain = &inverse->chain;
-    const armtol_transform *tool = &inverse->search.goal.wish->tool;
-    const double span = 2 * chain->size + length_of(length_of(tool->m[0][3], tool->m[1][3]), tool->m[2][3]);
+    const double span = (2 + inverse->search.goal.away) * chain->size;
     for (size_t j = 0; j < chain->n_joints; j++) {
         const chain_joint *joint = &chain->joints[j];
         inverse->way[j] = start == 0 ? joint->near : drawn_value(joint, span, drawn(start, j, chain->n_joints));
@@ -329,7 +328,7 @@ static bool can_be_measured(const armtol_inverse *inverse, const armtol_wish *wi
 {
     bool finite = true;
     for (int i = 0; i < 3; i++) {
-        finite = finite && all_finite(wish->tool.m[i], 4);
+        finite = finite && isfinite(wish->tool.m[i][3]) && (wish->point_only || all_finite(wish->tool.m[i], 3));
     }
     if (finite) {
         armtol_transform tool;
@@ -344,7 +343,9 @@ static bool can_be_measured(const armtol_inverse *inverse, const armtol_wish *wi
 
 armtol_status armtol_inverse_find(armtol_inverse *inverse, const armtol_wish *wish, armtol_branches *branches)
 {
-    inverse->search.goal = (chain_goal){wish, wish->point_only ? 3 : 6};
+    const double(*tool)[4] = wish->tool.m;
+    const double away = length_of(length_of(tool[0][3], tool[1][3]), tool[2][3]) / inverse->chain.size;
+    inverse->search.goal = (chain_goal){wish, wish->point_only ? 3 : 6, fmax(1, away)};
     if (!can_be_measured(inverse, wish)) {
         return ARMTOL_NOT_FINITE;
     }

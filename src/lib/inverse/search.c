@@ -64,7 +64,8 @@ bool search_is_there(const search *search, const chain_error *error)
 {
     const double *e = error->e;
     const double distance = e[0] * e[0] + e[1] * e[1] + e[2] * e[2], most = search->within * search->within;
-    return distance <= most && error->square - distance <= most;
+    const double away = search->goal.away;
+    return distance <= most * away * away && error->square - distance <= most;
 }
 
 void search_descend(const search *search, bool limited, double q[], chain_error *error)

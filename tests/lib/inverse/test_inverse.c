@@ -388,6 +388,22 @@ static void test_slides_with_limits_on_one_side(void)
     TEST_ASSERT_EQUAL_INT(ARMTOL_OUT_OF_REACH, armtol_inverse_find(inverse, &refused, &branches));
 }
 
+/* A gantry without any length of its own: its size is 1, whatever is asked of it. */
+static void test_a_far_wish_of_slides(void)
+{
+    static const armtol_link links[] = {{ARMTOL_NPP, ARMTOL_PRISMATIC, .alpha = 1.57079632679489661923},
+                                        {ARMTOL_NPP, ARMTOL_PRISMATIC, .theta = 1, .alpha = 1.57079632679489661923},
+                                        {ARMTOL_NPP, ARMTOL_PRISMATIC}};
+    const armtol_arm arm = {.name = "gantry", .n_links = 3, .links = links, .drives = free_drives};
+    const double q[3] = {-3e7, 2e7, 5e7};
+    const armtol_wish wish = wish_at(&arm, q);
+    make(&(armtol_inverse_setup){.arm = &arm});
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_inverse_find(inverse, &wish, &branches));
+    for (size_t j = 0; j < 3; j++) {
+        check_within(0.01, q[j], branches.branch[0].q[j], "joint %zu", j + 1);
+    }
+}
+
 static void test_an_arm_without_joints_is_there_or_is_not(void)
 {
     static const armtol_link link = {ARMTOL_NPR, ARMTOL_FIXED, .a = 2};
@@ -469,6 +485,12 @@ static void test_wrong_input(void)
     make(&(armtol_inverse_setup){.arm = &planar});
     branches.count = 77;
     TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_inverse_find(inverse, &wish, &branches));
+    wish = point_at(1, 1, 0);
+    wish.tool.m[0][0] = NAN; /* not looked at, but where the axes count */
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_inverse_find(inverse, &wish, &branches));
+    wish.point_only = false;
+    branches.count = 77;
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_inverse_find(inverse, &wish, &branches));
     wish = point_at(1e300, 1, 1);
     TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_inverse_find(inverse, &wish, &branches));
     TEST_ASSERT_EQUAL_UINT(77, branches.count);
@@ -491,6 +513,7 @@ int main(void)
     RUN_TEST(test_an_offset_is_the_tool_point);
     RUN_TEST(test_joints_that_follow_others);
     RUN_TEST(test_slides_with_limits_on_one_side);
+    RUN_TEST(test_a_far_wish_of_slides);
     RUN_TEST(test_an_arm_without_joints_is_there_or_is_not);
     RUN_TEST(test_a_unit_of_length_changes_no_angle);
     RUN_TEST(test_what_was_asked_before_does_not_matter);
