@@ -85,6 +85,7 @@
 #define search_bring_within armtol_private_search_bring_within
 #define search_descend armtol_private_search_descend
 #define search_from_near armtol_private_search_from_near
+#define search_is_within armtol_private_search_is_within
 #define search_is_there armtol_private_search_is_there
 
 #endif

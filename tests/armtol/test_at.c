@@ -215,6 +215,27 @@ static void test_too_many_positions_on_the_command_line(void)
                              process.errors.bytes);
 }
 
+/* A pipe may have no end. */
+static void test_a_million_positions_are_enough(void)
+{
+    enum { POSITIONS = 1000001, BLOCK = 1000, LINE = 6 };
+    static char block[LINE * BLOCK];
+    const process_setup setup = {
+        .program = TEST_ARMTOL,
+        .arguments = (const char *const[]){"puma560", "--at-file", "/dev/stdin", "--branches", NULL}};
+    process process;
+    for (size_t i = 0; i < sizeof block; i += LINE) {
+        memcpy(block + i, "1,2,3\n", LINE);
+    }
+    process_start(&process, &setup);
+    for (int i = 0; i < POSITIONS; i += BLOCK) {
+        process_send(&process, block, sizeof block);
+    }
+    process_finish(&process);
+    process_check_status(&process, 2, "a million positions");
+    TEST_ASSERT_EQUAL_STRING("armtol: /dev/stdin:1000001:1: more than 1000000 positions\n", process.errors.bytes);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -225,6 +246,7 @@ int main(void)
     RUN_TEST(test_an_arm_of_1987_says_that_it_goes_its_own_way);
     RUN_TEST(test_what_is_left_is_told);
     RUN_TEST(test_out_of_reach);
+    RUN_TEST(test_a_million_positions_are_enough);
     RUN_TEST(test_too_many_positions_on_the_command_line);
     return UNITY_END();
 }

@@ -184,24 +184,6 @@ static void test_wrong_positions(void)
     check_wishes_refused("1:1: \"nan\" is not a finite number", "nan,2,3\n");
 }
 
-/* A pipe may have no end. */
-static void test_too_many_positions(void)
-{
-    enum { MOST = 1000000, LINE = 6 };
-    char *text = malloc((size_t)(MOST + 1) * LINE + 1);
-    typed_wish *wishes;
-    size_t n_wishes;
-    said said;
-    TEST_ASSERT_NOT_NULL(text);
-    for (size_t i = 0; i <= MOST; i++) {
-        memcpy(text + LINE * i, "1,2,3\n", LINE);
-    }
-    text[(size_t)(MOST + 1) * LINE] = '\0';
-    TEST_ASSERT_FALSE(read_wishes(text, &wishes, &n_wishes, &said));
-    TEST_ASSERT_EQUAL_STRING("armtol: at.csv:1000001:1: more than 1000000 positions\n", said.text);
-    free(text);
-}
-
 /* ---- parameters ---- */
 
 static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}, {ARMTOL_PPR, ARMTOL_REVOLUTE}};
@@ -347,7 +329,6 @@ int main(void)
     RUN_TEST(test_wrong_poses);
     RUN_TEST(test_positions);
     RUN_TEST(test_wrong_positions);
-    RUN_TEST(test_too_many_positions);
     RUN_TEST(test_parameters);
     RUN_TEST(test_wrong_heads_of_parameters);
     RUN_TEST(test_wrong_rows_of_parameters);
