@@ -271,10 +271,9 @@ static void try_starts(armtol_inverse *inverse, armtol_branches *branches)
 static void refine_best(armtol_inverse *inverse, armtol_branches *branches)
 {
     chain_error error;
-    double before;
     search_descend(&inverse->search, true, inverse->best, &error);
     for (int i = 0; i < MOST_REFINEMENTS; i++) {
-        before = error.square;
+        const double before = error.square;
         search_descend(&inverse->search, true, inverse->best, &error);
         if (!(error.square < before * (1 - 1e-12))) {
             break;

@@ -201,7 +201,7 @@ static double take_standing_step(const search *search, double q[], double share,
     const size_t size = search->chain->n_joints * sizeof *q;
     chain_error next;
     memcpy(search->last, search->step, size); /* going downhill takes steps of its own */
-    for (double least = share / 64; share > least; share /= 4) {
+    for (int tries = 0; tries < 3; tries++) {
         memcpy(search->step, search->last, size);
         take_step(search, true, q, share);
         memcpy(search->pull, search->trial, size);
@@ -211,6 +211,7 @@ static double take_standing_step(const search *search, double q[], double share,
             *error = next;
             return share;
         }
+        share /= 4;
     }
     return 0;
 }
