@@ -188,6 +188,16 @@ static void test_the_arms_of_1987_take_their_own_way(void)
     check_own(armtol_arm_named("adeptone"), &wish, adpta[0] + 4);
 }
 
+/* 425 + 375 is its reach. */
+static void test_their_own_way_has_an_end(void)
+{
+    const double pose[6] = {600, 800, 203.2, 0, 0, 0};
+    const armtol_wish wish = {armtol_pose_to_transform(pose, &armtol_errata_none), false};
+    make(&(armtol_inverse_setup){.arm = armtol_arm_named("adeptone")});
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OUT_OF_REACH, armtol_inverse_find(inverse, &wish, &branches));
+    check_within(1e-3, 200, branches.best.distance, "distance");
+}
+
 static void test_who_names_a_posture_has_the_branch_nearest_to_it(void)
 {
     const double pose[6] = {200, 200, 0, 0, 0, 0}, near[4] = {2, -2, 0, -200};
@@ -388,6 +398,22 @@ static void test_slides_with_limits_on_one_side(void)
     TEST_ASSERT_EQUAL_INT(ARMTOL_OUT_OF_REACH, armtol_inverse_find(inverse, &refused, &branches));
 }
 
+/* A slide to 1 is near enough to 1.05 for who takes a tenth of its size for there. */
+static void test_near_enough_at_a_limit(void)
+{
+    static const armtol_link link = {ARMTOL_NPP, ARMTOL_PRISMATIC};
+    const armtol_drive drive = {0, 1, NAN, 0, 0, 0, 0};
+    const armtol_arm arm = {.name = "slide", .n_links = 1, .links = &link, .drives = &drive};
+    const armtol_wish wish = point_at(0, 0, 1.05);
+    make(&(armtol_inverse_setup){.arm = &arm, .within = 0.1});
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_inverse_find(inverse, &wish, &branches));
+    TEST_ASSERT_EQUAL_UINT(1, branches.count);
+    check_within(1e-12, 1, branches.branch[0].q[0], "the slide");
+    check_within(1e-12, 0.05, branches.branch[0].distance, "distance");
+    make(&(armtol_inverse_setup){.arm = &arm, .within = 0.01});
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OUT_OF_REACH, armtol_inverse_find(inverse, &wish, &branches));
+}
+
 /* A gantry without any length of its own: its size is 1, whatever is asked of it. */
 static void test_a_far_wish_of_slides(void)
 {
@@ -504,6 +530,7 @@ int main(void)
     RUN_TEST(test_a_tilt_that_an_arm_cannot_take_is_its_angle);
     RUN_TEST(test_a_puma_without_limits_has_eight_branches);
     RUN_TEST(test_the_arms_of_1987_take_their_own_way);
+    RUN_TEST(test_their_own_way_has_an_end);
     RUN_TEST(test_who_names_a_posture_has_the_branch_nearest_to_it);
     RUN_TEST(test_its_own_way_keeps_to_limits);
     RUN_TEST(test_the_posture_that_is_near_is_found);
@@ -513,6 +540,7 @@ int main(void)
     RUN_TEST(test_an_offset_is_the_tool_point);
     RUN_TEST(test_joints_that_follow_others);
     RUN_TEST(test_slides_with_limits_on_one_side);
+    RUN_TEST(test_near_enough_at_a_limit);
     RUN_TEST(test_a_far_wish_of_slides);
     RUN_TEST(test_an_arm_without_joints_is_there_or_is_not);
     RUN_TEST(test_a_unit_of_length_changes_no_angle);
