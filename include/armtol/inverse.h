@@ -93,21 +93,22 @@ double armtol_inverse_size(const armtol_inverse *inverse);
  *    the Jacobian J of the joints, a step is (J'J + l)^-1 J'e, or J'(JJ' + l)^-1 e, the same in exact arithmetic, where
  *    there are more joints than components. It begins at `near` and at postures drawn within the joints' ranges
  *    (splitmix64 of start and joint: the same each time), until 64 starts (16 where there are more joints than
- *    components), and as many as were made when the last branch was found, have brought nothing new; 256 where nothing at
- *    all is found. So "all" means all that were found: a branch that few starts lead to can be missed. docs/inverse.md
- *    counts how often.
+ *    components), and as many as were made when the last branch was found, have brought nothing new; 256 where nothing
+ *    at all is found. So "all" means all that were found: a branch that few starts lead to can be missed.
+ *    docs/inverse.md counts how often.
  * 2) A joint that turns freely has its value within its limits that is nearest to `near`; postures that differ by whole
  *    turns are one branch. A branch keeps to the limits of its joints, and of those that follow them.
  * 3) The usual `near` is the middle of each joint's range, where both of its limits are known; else 0, or the limit
- *    where 0 is beyond it. A slide whose limits are not known is looked for over twice the size and the wish's distance (at least
- *    the size) to either side.
+ *    where 0 is beyond it. A slide whose limits are not known is looked for over twice the size and the wish's distance
+ *    (at least the size) to either side.
  * 4) Branches come by their distance from `near`. Where two are as far (to 1e-9) the one comes first whose first joint
  *    that differs has the larger value.
  * 5) Where `near` is NULL and the arm is one of 1987 (the table of robots.h, corrected, in millimetres) its own inverse
- *    kinematics comes first, as its programs choose it and with nothing wrapped, where it reaches the wish and keeps to the limits.
- * 6) An arm that can move while its tool stands (more joints than components, or a singular posture) has infinitely many
- *    postures. Each start that arrives is then moved, the tool standing, to where `near` is nearest; what differs after
- *    that is a branch of its own.
+ *    kinematics comes first, as its programs choose it and with nothing wrapped, where it reaches the wish and keeps to
+ *    the limits.
+ * 6) An arm that can move while its tool stands (more joints than components, or a singular posture) has infinitely
+ *    many postures. Each start that arrives is then moved, the tool standing, to where `near` is nearest; what differs
+ *    after that is a branch of its own.
  * 7) The same wish has the same branches to the bit on every machine with IEEE arithmetic, whatever was asked before.
  *    Several solvers may be used on several threads, one on each.
  *

@@ -34,7 +34,8 @@ static void test_positions(void)
 {
     check_short_main(armtol_main, (const char *const[]){"armtol", "scara", "--at", "300,100,200", "--near", "0,0,0,0",
                                                         "--accuracy", "1,1,1,1,1,1", NULL}, 10);
-    check_short_main(armtol_main, (const char *const[]){"armtol", "scara", "--at", "300,100,200", "--branches", NULL}, 5);
+    check_short_main(armtol_main,
+                     (const char *const[]){"armtol", "scara", "--at", "300,100,200", "--branches", NULL}, 5);
 }
 
 /* What leaves nothing is asked for once more, to be named. */

@@ -87,7 +87,7 @@ static void check_way_back(const armtol_arm *arm, random_source *random, int dec
     asked_free(&asked);
 }
 
-/* With six digits behind the point an arm of four joints cannot be there to the last digit; and singular ones go far. */
+/* With six decimals an arm of four joints cannot be there to the last digit; and singular ones go far. */
 static void test_what_tool_pose_prints_can_be_asked_for(void)
 {
     random_source random = {3};
@@ -162,7 +162,8 @@ static void test_a_table_with_its_joints_is_read_again(void)
 static void test_an_arm_of_1987_says_that_it_goes_its_own_way(void)
 {
     process process;
-    run_well(&process, NULL, (const char *const[]){"adeptone", "--at", "200,200,0,0,0,0", "--accuracy", "1,1,1,1,1,1", NULL});
+    run_well(&process, NULL, (const char *const[]){"adeptone", "--at", "200,200,0,0,0,0", "--accuracy",
+                                                   "1,1,1,1,1,1", NULL});
     check_says(&process, "2.4293 ");
     check_says(&process, "own inverse");
     run_well(&process, NULL, (const char *const[]){"adeptone", "--at", "200,200,0,0,0,0", "--branches", NULL});

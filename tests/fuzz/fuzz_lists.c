@@ -1,6 +1,6 @@
 /*
- * Files of poses, of positions, and of tolerances or weights. The first byte says which; the second, for poses, how many joints, and
- * for parameters, which arm and what is asked of the table.
+ * Files of poses, of positions, and of tolerances or weights. The first byte says which; the second, for poses, how
+ * many joints, and for parameters, which arm and what is asked of the table.
  */
 
 #include "fuzz/harness.h"

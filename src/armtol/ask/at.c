@@ -14,8 +14,8 @@
 #include <string.h>
 
 /*
- * How near is there, as a share of the arm's size and in radians: a position that was printed with six decimals, of an arm
- * that cannot take any direction, leaves as much.
+ * How near is there, as a share of the arm's size and in radians: a position that was printed with six decimals, of an
+ * arm that cannot take any direction, leaves as much.
  */
 #define WITHIN 2e-6
 
@@ -43,8 +43,8 @@ static size_t count_words(const char *text)
 static bool parse_wish(const char *text, typed_wish *wish)
 {
     *wish = (typed_wish){.n = count_words(text) == 3 ? 3 : 6};
-    return number_list_parse("--at", text, wish->n == 3 ? "x,y,z" : "x,y,z,gamma,beta,alpha, or 3: x,y,z", false, wish->n,
-                             wish->value);
+    const char *what = wish->n == 3 ? "x,y,z" : "x,y,z,gamma,beta,alpha, or 3: x,y,z";
+    return number_list_parse("--at", text, what, false, wish->n, wish->value);
 }
 
 static bool read_file(const char *path, typed_wish **wishes, size_t *n)

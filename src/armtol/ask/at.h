@@ -34,8 +34,8 @@ void at_free(at_wishes *at);
 bool at_find(const at_wishes *at, size_t number, armtol_branches *branches);
 
 /*
- * The first branch of each, the poses of a question, in inside units; to be freed, also after a message. A bar on a terminal
- * tells of long lists. False after a message.
+ * The first branch of each, the poses of a question, in inside units; to be freed, also after a message. A bar on a
+ * terminal tells of long lists. False after a message.
  */
 bool at_find_poses(const cli_options *options, const units *units, const armtol_arm *arm, double **poses,
                    at_taken **taken, size_t *n_poses);

@@ -313,7 +313,8 @@ static bool take_problem(int option, const char *argument, cli_options *options)
 static bool is_first(int option, cli_options *options)
 {
     const uint64_t bit = option >= OPTION_JOINTS ? (uint64_t)1 << (option - OPTION_JOINTS) : 0;
-    const bool twice = (options->seen & bit) != 0 && option != OPTION_PAYLOAD && option != OPTION_AT; /* one a load case, a pose */
+    const bool many = option == OPTION_PAYLOAD || option == OPTION_AT; /* one a load case, a pose */
+    const bool twice = (options->seen & bit) != 0 && !many;
     options->seen |= bit;
     for (size_t i = 0; twice && long_options[i].name != NULL; i++) {
         if (long_options[i].val == option && long_options[i].has_arg == required_argument) {

@@ -37,8 +37,8 @@ static bool take_wish(wish_list *list, const cell_row *row)
         cell_number number;
         const number_fault fault = cells_number(row, i, &number);
         if (fault != NUMBER_FINE) {
-            cells_message(row, i, "%s %s; %s", message_quote(row->cells[i].text, &(quoted){""}), number_fault_text(fault),
-                          expected);
+            cells_message(row, i, "%s %s; %s", message_quote(row->cells[i].text, &(quoted){""}),
+                          number_fault_text(fault), expected);
             return false;
         }
         wishes[list->n].value[i] = number.value;

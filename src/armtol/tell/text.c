@@ -69,7 +69,8 @@ static void print_pose(const findings *findings, size_t pose)
     }
     wrap_say(&wrap, "tool point");
     for (int i = 0; i < 3; i++) {
-        wrap_say(&wrap, i == 2 && findings->request->taken != NULL ? "%.6g," : "%.6g", units_shown(units, true, point[i]));
+        const bool more = i == 2 && findings->request->taken != NULL;
+        wrap_say(&wrap, "%.6g%s", units_shown(units, true, point[i]), more ? "," : "");
     }
     if (findings->request->taken != NULL) {
         say_branch(findings, pose, &wrap);

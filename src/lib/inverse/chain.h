@@ -52,8 +52,8 @@ void chain_compare(const chain *chain, const chain_goal *goal, const armtol_tran
 
 /*
  * The Jacobian of the tool that was placed last: displacement / size, then rotation, for a unit of each joint. It is
- * minus the derivative of the displacement's error; of the rotation vector's it is only nearly that, but e'J is minus the
- * gradient of the square all the same, for a rotation vector is left in place by its own rotation.
+ * minus the derivative of the displacement's error; of the rotation vector's it is only nearly that, but e'J is minus
+ * the gradient of the square all the same, for a rotation vector is left in place by its own rotation.
  */
 void chain_differentiate(const chain *chain, const armtol_transform *tool);
 

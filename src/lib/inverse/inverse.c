@@ -13,8 +13,8 @@
 #include <string.h>
 
 /*
- * Starts that have to bring nothing new; of an arm with more joints than components, which arrives from nearly every start;
- * and those that are made where nothing at all is found.
+ * Starts that have to bring nothing new; of an arm with more joints than components, which arrives from nearly every
+ * start; and those that are made where nothing at all is found.
  */
 enum { LEAST_STARTS = 64, REDUNDANT_STARTS = 16, VAIN_STARTS = 256, MOST_REFINEMENTS = 50 };
 
@@ -122,8 +122,8 @@ static bool is_redundant(const armtol_inverse *inverse)
 }
 
 /*
- * Postures that can be moved while the tool stands come to where `near` is nearest only as well as rounding tells: in a flat
- * valley, as far from `near` as each other, they can be some way apart.
+ * Postures that can be moved while the tool stands come to where `near` is nearest only as well as rounding tells: in a
+ * flat valley, as far from `near` as each other, they can be some way apart.
  */
 static bool same_branch(const armtol_inverse *inverse, const double one[], const double other[])
 {

@@ -43,8 +43,8 @@ static armtol_transform tool_of_wish(const armtol_robot *robot, const double wis
 }
 
 /*
- * The programs of 1987 ask for another frame at the tool than the table has: the Intelledex's is a quarter turn about the
- * tool's axis from it. What lies between the two is the same in every posture, so that of joint values 0 tells it.
+ * The programs of 1987 ask for another frame at the tool than the table has: the Intelledex's is a quarter turn about
+ * the tool's axis from it. What lies between the two is the same in every posture, so that of joint values 0 tells it.
  */
 static armtol_transform as_wished(const armtol_robot *robot, const armtol_transform *last)
 {

@@ -88,7 +88,8 @@ static void take_limits(chain *chain, const armtol_arm *arm, size_t i)
         offset = arm->motions[i].offset;
     }
     if (multiplier != 0) {
-        const double one = (arm->drives[i].low - offset) / multiplier, other = (arm->drives[i].high - offset) / multiplier;
+        const double one = (arm->drives[i].low - offset) / multiplier;
+        const double other = (arm->drives[i].high - offset) / multiplier;
         joint->low = fmax(joint->low, fmin(one, other));
         joint->high = fmin(joint->high, fmax(one, other));
     }

@@ -217,8 +217,8 @@ static double take_standing_step(const search *search, double q[], double share,
 }
 
 /*
- * Which share of a step to take where `share` of the last one has been taken: the secant's, by which the part of the step
- * along the last one would have vanished (Barzilai and Borwein).
+ * Which share of a step to take where `share` of the last one has been taken: the secant's, by which the part of the
+ * step along the last one would have vanished (Barzilai and Borwein).
  */
 static double next_share(const search *search, double share)
 {

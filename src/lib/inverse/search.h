@@ -20,8 +20,8 @@ void search_descend(const search *search, bool limited, double q[], chain_error 
 
 /*
  * Turn joints by whole turns to within their limits, to where `near` is nearest. Where one stays beyond, and could move
- * while the tool stands, q is put on the limits and goes downhill from there within them. Whether q is there in the end and
- * within. The Jacobian is that of q.
+ * while the tool stands, q is put on the limits and goes downhill from there within them. Whether q is there in the end
+ * and within. The Jacobian is that of q.
  */
 bool search_bring_within(const search *search, double q[], chain_error *error);
 

@@ -73,7 +73,8 @@ static bool count_arm(const armtol_arm *arm, long wishes, size_t enough)
     }
     const double seconds = (double)(clock() - began) / CLOCKS_PER_SEC;
     armtol_inverse_destroy(inverse);
-    printf("%-15s %7ld of %7ld found, the posture drawn %7ld; %5.2f branches, %5.1f starts, %6.0f us; worst %.1e %.1e\n",
+    printf("%-15s %7ld of %7ld found, the posture drawn %7ld; %5.2f branches, %5.1f starts, %6.0f us; "
+           "worst %.1e %.1e\n",
            arm->name, counted.found, counted.wishes, counted.again, counted.branches / (double)wishes,
            counted.starts / (double)wishes, seconds * 1e6 / (double)wishes, counted.distance, counted.angle);
     fflush(stdout);

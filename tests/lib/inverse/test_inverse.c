@@ -1,6 +1,6 @@
 /*
- * Inverse kinematics of any arm. Branches are held against closed forms, against the published joint values of 1987, and,
- * brought forward by Eq. (4.1) in long double, against the wish.
+ * Inverse kinematics of any arm. Branches are held against closed forms, against the published joint values of 1987,
+ * and, brought forward by Eq. (4.1) in long double, against the wish.
  */
 
 #include "armtol/inverse.h"
@@ -72,9 +72,9 @@ static void find(const armtol_arm *arm, const armtol_wish *wish)
     check_branches(arm, wish);
 }
 
-static const armtol_drive free_drives[6] = {
-    {-INFINITY, INFINITY, NAN, 0, 0, 0, 0}, {-INFINITY, INFINITY, NAN, 0, 0, 0, 0}, {-INFINITY, INFINITY, NAN, 0, 0, 0, 0},
-    {-INFINITY, INFINITY, NAN, 0, 0, 0, 0}, {-INFINITY, INFINITY, NAN, 0, 0, 0, 0}, {-INFINITY, INFINITY, NAN, 0, 0, 0, 0}};
+#define FREE {-INFINITY, INFINITY, NAN, 0, 0, 0, 0}
+
+static const armtol_drive free_drives[6] = {FREE, FREE, FREE, FREE, FREE, FREE};
 
 /* ---- closed forms ---- */
 
@@ -158,7 +158,7 @@ static void test_a_puma_without_limits_has_eight_branches(void)
 
 /* ---- the arms of 1987 ---- */
 
-/* golden/published.tsv. A position of intella is of a frame that a quarter turn about the tool's axis makes the table's. */
+/* golden/published.tsv. The frame of intella's positions is a quarter turn about the tool's axis from the table's. */
 static const double intella[][12] = {
     {200, 200, 0, 0, 1.57, 0, 1.571237, 1.063532, -0.944167, 1.754183, -0.810926, -0.507265},
     {-200, 200, 100, 0, 1.57, 0, 1.571408, 0.914246, 1.416886, -1.666827, 0.248936, -0.656550}};
@@ -352,7 +352,7 @@ static void test_an_offset_is_the_tool_point(void)
 
 /* ---- joints that follow, slides ---- */
 
-/* Joint 3 turns half as far back as joint 2: a whole turn of joint 2 is another posture. Link 4 slides out with joint 1. */
+/* Joint 3 turns half as far back as joint 2: a whole turn of that is another posture. Link 4 slides with joint 1. */
 static void test_joints_that_follow_others(void)
 {
     static const armtol_link links[] = {{ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 300, .d = 100},
@@ -364,7 +364,7 @@ static void test_joints_that_follow_others(void)
         {0, 1, 0, 1}, {1, 1, 0, -1}, {1, -0.5, 0.2, 1}, {0, 40, 10, 1}, {4, 1, 0, 1}};
     armtol_drive drives[5] = {free_drives[0], free_drives[0], {-1, 1, NAN, 0, 0, 0, 0}, free_drives[0], free_drives[0]};
     const armtol_arm arm = {
-        .name = "follows", .n_links = 5, .links = links, .drives = drives, .motions = motions, .unit = ARMTOL_MILLIMETRE};
+        .name = "follows", .n_links = 5, .links = links, .drives = drives, .motions = motions};
     random_source random = {99};
     for (int k = 0; k < 50; k++) {
         const double q[2] = {random_between(&random, -2, 2), random_between(&random, -1.6, 2.3)};
@@ -501,8 +501,8 @@ static void test_wrong_input(void)
     TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE,
                           armtol_inverse_create(&(armtol_inverse_setup){.arm = &planar, .near = nowhere}, &inverse));
     TEST_ASSERT_NULL(inverse);
-    TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE,
-                          armtol_inverse_create(&(armtol_inverse_setup){.arm = &planar, .offset = {INFINITY}}, &inverse));
+    const armtol_inverse_setup far_off = {.arm = &planar, .offset = {INFINITY}};
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_inverse_create(&far_off, &inverse));
     links[0].a = links[1].a = 1e308;
     TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_inverse_create(&(armtol_inverse_setup){.arm = &arm}, &inverse));
     arm.n_links = 0;
