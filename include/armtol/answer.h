@@ -33,6 +33,26 @@ typedef struct armtol_predicted {
 } armtol_predicted;
 
 /*
+ * A norm of the tool's error. worst, shift, remainder and rounding are norms; the deviation is that of the direction
+ * that has the largest (armtol_rss_norm), and deviation_pose is where `spread` is largest.
+ */
+typedef struct armtol_predicted_norm {
+    unsigned components;
+    double limit;            /* infinity where none is asked for */
+    armtol_predicted of;
+    double spread;           /* the largest |u'A s| + sigma deviations along a unit vector u; sigma is the question's */
+    double worst_direction[6];  /* the unit vector along which it is `of.worst` in of.worst_pose (armtol_worst_norm) */
+    double spread_direction[6]; /* likewise `spread` in of.deviation_pose */
+} armtol_predicted_norm;
+
+/* A direction in which a norm's limit holds the optimum down. Those of a pose and a norm are apart by 1e-4 or more. */
+typedef struct armtol_held_direction {
+    size_t norm, pose;   /* the pose counted as of the answer */
+    double direction[6]; /* a unit vector u, of either sign */
+    double share;        /* of the optimum, > 0: what the limit along u holds, as a row's multiplier in optimum.h */
+} armtol_held_direction;
+
+/*
  * An answer, whole in itself: it needs nothing of the question any more, so that armtol_budget_create and armtol_verify
  * need it alone. To be read, not to be changed.
  */
@@ -44,6 +64,8 @@ typedef struct armtol_answer {
     armtol_method method;   /* the question's, also where tolerances were given */
     double sigma;           /* the question's */
     double accuracy[6];     /* infinity where none is asked for */
+    size_t n_norms;
+    armtol_predicted_norm norms[ARMTOL_MOST_NORMS]; /* n_norms, the question's */
     armtol_column *columns; /* n_columns: what they stand for */
     armtol_link *links;     /* n_poses x n_links, placed */
     double *matrices;       /* n_poses x 6 x n_columns: A of every pose, one below the other (tool_matrix.h), cleared */
@@ -58,6 +80,8 @@ typedef struct armtol_answer {
     double *remainders; /* n_poses x 6: what the exact error can differ from A's by */
     bool *given;        /* n_columns: a drive or the question gave the tolerance, with or without an accuracy */
     double *held;       /* n_columns: the share of the optimum that the column's largest, or (negative) least, holds */
+    size_t n_held;      /* the shares of norms, direction by direction; they sum up to what `binds` of the norms does */
+    armtol_held_direction *held_directions; /* n_held, the largest share first */
     bool loaded;        /* some shift is not 0 */
     armtol_part *parts; /* n_links */
     armtol_predicted components[6];
@@ -96,8 +120,13 @@ typedef struct armtol_answer {
  *    the bounds are those of the other columns, of which none may have a range.
  * 5) Where nothing is left for what is asked the status is ARMTOL_NOTHING_LEFT. The same question with given
  *    tolerances, 0 for those, tells the sources apart (armtol_budget_create).
- * 6) The same question has the same answer to the bit on every machine with IEEE arithmetic.
- * 7) Questions may be answered on several threads at once. Memory comes from calloc; no other state is kept.
+ * 6) Norms. The optimum is that of |u'A s| + |u'A| t <= limit for every unit vector u of the norm's components as well,
+ *    or with ARMTOL_METHOD_RSS of |u'A s| + sigma sqrt(sum (u'A t)^2 / 3) <= limit: sigma standard deviations of every
+ *    direction. It is found by cuts (cuts.c): to 1e-10 of the limit, and never beyond it. By method sphere there
+ *    are no norms; given tolerances are held against them by any.
+ * 7) The same question has the same answer to the bit on every machine with IEEE arithmetic.
+ * 8) Questions may be answered on several threads at once. Memory comes from calloc and realloc; no other state is
+ *    kept.
  *
  * Errors:
  *    ARMTOL_NO_MEMORY
@@ -112,7 +141,10 @@ typedef struct armtol_answer {
  *                           that is not one value, by method sphere; a least that is not 0 where tolerances are given
  *    ARMTOL_BAD_LOAD        about the loading: a mass < 0, a share that is not 0 to 1; about the drives: a number < 0,
  *                           or compliance where neither masses nor loads nor `moment` say what it bears
- *    ARMTOL_NOTHING_LEFT    about a row
+ *    ARMTOL_NOTHING_LEFT    about a row, or a norm's place
+ *    ARMTOL_BAD_TOLERANCE, ARMTOL_BAD_NORM  about a norm: its limit is not > 0; its components are none, or it is one
+ *                                           too many;
+ *                           about the method: norms by method sphere, tolerances asked for
  *    ARMTOL_BAD_DELTA, ARMTOL_NOT_FINITE, ARMTOL_NOT_SOLVED  about the method: no tolerances (optimum.h, sphere.h)
  *
  * Reference:

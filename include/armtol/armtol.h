@@ -41,6 +41,7 @@
 #include "armtol/comparison.h"
 #include "armtol/corners.h"
 #include "armtol/loads.h"
+#include "armtol/norm.h"
 #include "armtol/poses.h"
 #include "armtol/sampler.h"
 #include "armtol/tool_error.h"

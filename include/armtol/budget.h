@@ -27,6 +27,7 @@ typedef struct armtol_budget_row {
     size_t link;
     armtol_role role;
     double shares[6]; /* of the component's predicted error, 0 to 1; below 0 for a load that lessens that of others */
+    double norm_shares[ARMTOL_MOST_NORMS]; /* likewise of the norms of the answer */
 } armtol_budget_row;
 
 typedef struct armtol_budget {
@@ -34,6 +35,7 @@ typedef struct armtol_budget {
     armtol_budget_row *rows; /* in link order, making, motor, load; those without a parameter, or a load, left out */
     double motors[6];        /* the share of all motors; that of all making is what the two leave of 1 */
     double loads[6];         /* the share of all loads */
+    double norm_motors[ARMTOL_MOST_NORMS], norm_loads[ARMTOL_MOST_NORMS]; /* likewise of norms */
 } armtol_budget;
 
 /*
@@ -50,7 +52,8 @@ typedef struct armtol_budget {
  *    the second term shared out by the squares (A t)^2.
  * 2) Each component in the pose whose error is printed: where its worst case is largest (worst_pose) or, with method
  *    rss, its deviation (deviation_pose).
- * 3) All shares are 0 for a component that nothing moves, and nan for one that nothing bounds.
+ * 3) A norm is shared out along the direction that it is largest in: worst_direction, with method rss spread_direction.
+ * 4) All shares are 0 for a component that nothing moves, and nan for one that nothing bounds.
  *
  * Errors:
  *    ARMTOL_NO_MEMORY

@@ -3,6 +3,7 @@
 
 #include "armtol/arm.h"
 #include "armtol/interface.h"
+#include "armtol/norm.h"
 #include "armtol/status.h"
 #include "armtol/tool_point.h"
 
@@ -27,8 +28,8 @@ const char *armtol_method_name(armtol_method method);
  * nothing where it is 0: set a question up with an initialiser that names its members. Everything is the caller's, is
  * only read, and has to stay until armtol_answer_create returns, no longer.
  *
- * Either an accuracy is given and tolerances are asked for, or tolerances are given and what they do is asked for; an
- * accuracy beside given tolerances is what they are held against.
+ * Either an accuracy is given, of components or norms, and tolerances are asked for, or tolerances are given and what
+ * they do is asked for; an accuracy beside given tolerances is what they are held against.
  */
 typedef struct armtol_question {
     const armtol_arm *arm;    /* not NULL */
@@ -36,6 +37,8 @@ typedef struct armtol_question {
     size_t n_poses;           /* at least one; what is asked is asked of all of them at once */
     armtol_tool_point tool;   /* 0: the origin of the last frame, counted along the base's axes */
     const double *accuracy;   /* dx, dy, dz, wx, wy, wz, each > 0, infinity for a free one; NULL: none asked for */
+    const armtol_norm *norms; /* n_norms of them, beside the components: all hold; NULL where there are none */
+    size_t n_norms;           /* ARMTOL_MOST_NORMS at most */
     armtol_method method;     /* 0: worst */
     double sigma;             /* of ARMTOL_METHOD_RSS, > 0 */
     double delta;             /* of ARMTOL_METHOD_SPHERE: the lengths' share; 0: to be chosen (armtol_sphere_delta) */
@@ -56,6 +59,7 @@ typedef enum armtol_subject {
     ARMTOL_ABOUT_ARM,        /* its links, or the tool's offset */
     ARMTOL_ABOUT_POSE,       /* the pose's number, from 0 */
     ARMTOL_ABOUT_ACCURACY,   /* the component's, 0 to 5 */
+    ARMTOL_ABOUT_NORM,       /* the norm's */
     ARMTOL_ABOUT_METHOD,     /* sigma, delta, or that there are no tolerances by this method */
     ARMTOL_ABOUT_WEIGHTS,    /* the column's */
     ARMTOL_ABOUT_TOLERANCES, /* the column's */
@@ -63,6 +67,7 @@ typedef enum armtol_subject {
     ARMTOL_ABOUT_DRIVES,     /* the link's */
     ARMTOL_ABOUT_LOADING,    /* gravity, force, share; or a payload */
     ARMTOL_ABOUT_ROW,        /* the row of A: 6 for each pose and load of the answer */
+    ARMTOL_ABOUT_NORM_PLACE, /* the norm in a pose and load: n_norms for each of them */
     ARMTOL_SUBJECT_COUNT
 } armtol_subject;
 

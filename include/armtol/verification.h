@@ -28,10 +28,10 @@ typedef struct armtol_draw {
 enum { ARMTOL_QUANTILES = 4 };
 
 /*
- * One component of the tool's exact error, magnitudes, the largest of all poses. A quantile is what that share of the
- * arms does not exceed, rounded up by no more than 2^-10 of itself and never above worst_drawn; below 2^-63 of the
- * predicted worst case and remainder, and of what the arm reaches, which is below the rounding of an error, it is
- * rounded up to that. All are nan for a component that depends on a parameter without a bound.
+ * One component, or norm, of the tool's exact error, magnitudes, the largest of all poses. A quantile is what that
+ * share of the arms does not exceed, rounded up by no more than 2^-10 of itself and never above worst_drawn; below
+ * 2^-63 of the predicted worst case and remainder, and of what the arm reaches, which is below the rounding of an
+ * error, it is rounded up to that. All are nan for a component that depends on a parameter without a bound.
  */
 typedef struct armtol_verified {
     double quantiles[ARMTOL_QUANTILES];
@@ -42,11 +42,12 @@ typedef struct armtol_verified {
 
 typedef struct armtol_verification {
     uint64_t drawn;  /* fewer than asked for where it was ended early */
-    uint64_t within; /* every component in every pose keeps to the accuracy; all, where none is asked for */
-    uint64_t beyond; /* some component exceeds its accuracy by more than its remainder */
+    uint64_t within; /* every component and norm in every pose keeps to the accuracy; all, where none is asked for */
+    uint64_t beyond; /* some component or norm exceeds its accuracy by more than its remainder */
     double share_low, share_high;           /* 95 % interval of the share within (share_interval.h) */
     double probabilities[ARMTOL_QUANTILES]; /* of the quantiles: 0.5, 0.9, 0.99, 0.999 */
     armtol_verified components[6];
+    armtol_verified norms[ARMTOL_MOST_NORMS]; /* as many as the answer has */
 } armtol_verification;
 
 /*
@@ -69,11 +70,12 @@ typedef struct armtol_verification {
  *    left out. That is no error.
  * 3) Threads are POSIX threads. They are begun and ended within the call, all signals blocked: signals come to the
  *    program's own threads. Threads that cannot be had, and memory for them, are done without.
- * 4) Each thread takes 3 MB; poses take some 500 bytes a link.
+ * 4) Each thread takes 3 MB and 0.5 MB a norm; poses take some 500 bytes a link.
  *
  * Errors:
  *    ARMTOL_NO_MEMORY
- *    ARMTOL_UNBOUNDED       about the accuracy: the component has one, and depends on a parameter without a bound
+ *    ARMTOL_UNBOUNDED       about the accuracy: the component has one, and depends on a parameter without a bound;
+ *                           about the norm likewise
  *    those of armtol_sampler_start, about the tolerances
  */
 armtol_status armtol_verify(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found,

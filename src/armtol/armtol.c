@@ -27,6 +27,17 @@ static size_t threads_of(const cli_options *options)
     return options->threads != 0 ? options->threads : processors > 0 ? (size_t)processors : 1;
 }
 
+/* A component, or a norm, that has to keep to an accuracy. */
+static void say_unbounded(const armtol_answer *answer, const armtol_fault *fault)
+{
+    const bool is_norm = fault->about == ARMTOL_ABOUT_NORM;
+    const char *name = is_norm ? armtol_norm_name(answer->norms[fault->number].components)
+                               : armtol_component_name(fault->number);
+    message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends on, or %s "
+            "in --accuracy",
+            name, name, is_norm ? "none for it" : "- in its place");
+}
+
 /* An exit code, after a message. */
 static int verify(const request *request, const armtol_answer *answer, armtol_verification *found)
 {
@@ -38,10 +49,7 @@ static int verify(const request *request, const armtol_answer *answer, armtol_ve
     armtol_fault fault;
     const armtol_status status = watched_verify(answer, &draw, found, &fault);
     if (status == ARMTOL_UNBOUNDED) {
-        const char *component = armtol_component_name(fault.number);
-        message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends "
-                "on, or - in its place in --accuracy",
-                component, component);
+        say_unbounded(answer, &fault);
         return EXIT_WRONG;
     }
     return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);

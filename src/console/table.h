@@ -14,7 +14,7 @@
 
 typedef enum table_format { FORMAT_TEXT, FORMAT_MARKDOWN, FORMAT_TSV, FORMAT_COUNT } table_format;
 
-enum { TABLE_COLUMNS = 12, TABLE_CELL = WORD };
+enum { TABLE_COLUMNS = 16, TABLE_CELL = WORD };
 
 typedef struct table_row {
     char cells[TABLE_COLUMNS][TABLE_CELL];

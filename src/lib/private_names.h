@@ -25,6 +25,18 @@
 #define answer_motor_column armtol_private_answer_motor_column
 #define answer_place armtol_private_answer_place
 #define answer_take_drives armtol_private_answer_take_drives
+#define answer_predict_norms armtol_private_answer_predict_norms
+#define answer_predicted armtol_private_answer_predicted
+#define answer_take_norms armtol_private_answer_take_norms
+#define answer_told_pose armtol_private_answer_told_pose
+#define answer_told_row armtol_private_answer_told_row
+#define cuts_add armtol_private_cuts_add
+#define cuts_factor armtol_private_cuts_factor
+#define cuts_free armtol_private_cuts_free
+#define cuts_is_seen armtol_private_cuts_is_seen
+#define cuts_norm armtol_private_cuts_norm
+#define cuts_note armtol_private_cuts_note
+#define cuts_start armtol_private_cuts_start
 #define arc_cosine_of armtol_private_arc_cosine_of
 #define arc_sine_of armtol_private_arc_sine_of
 #define arm_adept_one armtol_private_arm_adept_one
@@ -47,6 +59,8 @@
 #define columns_of_link armtol_private_columns_of_link
 #define cosine_of armtol_private_cosine_of
 #define draw_arms armtol_private_draw_arms
+#define farthest_of_ellipsoid armtol_private_farthest_of_ellipsoid
+#define farthest_vertex armtol_private_farthest_vertex
 #define fault_of armtol_private_fault_of
 #define kernels_avx2 armtol_private_kernels_avx2
 #define kernels_avx512 armtol_private_kernels_avx512
@@ -69,6 +83,7 @@
 #define tally_add armtol_private_tally_add
 #define tally_merge armtol_private_tally_merge
 #define tally_quantile armtol_private_tally_quantile
+#define tally_size armtol_private_tally_size
 #define tally_start armtol_private_tally_start
 #define transform_of_rows armtol_private_transform_of_rows
 #define verification_check armtol_private_verification_check

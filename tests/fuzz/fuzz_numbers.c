@@ -9,6 +9,7 @@
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
 #include "armtol/tables/degrees.h"
+#include "armtol/wish/accuracy.h"
 #include "console/message.h"
 #include "console/number.h"
 
@@ -142,6 +143,32 @@ static void check_whole(const char *text)
     REQUIRE(!fine || (double)value == strtod(text, NULL));
 }
 
+/* Every number that is taken is in one place, each above 0. */
+static void check_accuracy(const char *text)
+{
+    named_accuracy accuracy;
+    size_t taken, named = 0;
+    caught_forget();
+    if (!accuracy_parse(text, &accuracy)) {
+        REQUIRE(caught_one_message());
+        return;
+    }
+    REQUIRE(caught_nothing() && accuracy.n_norms <= ARMTOL_MOST_NORMS);
+    taken = accuracy.n_norms;
+    for (size_t i = 0; i < 6; i++) {
+        REQUIRE(accuracy.components[i] > 0);
+        taken += isfinite(accuracy.components[i]) != 0;
+    }
+    for (size_t i = 0; i < accuracy.n_norms; i++) {
+        REQUIRE(armtol_norm_is_known(accuracy.norms[i].components));
+        REQUIRE(accuracy.norms[i].limit > 0 && isfinite(accuracy.norms[i].limit));
+    }
+    for (; *text != '\0'; text++) {
+        named += *text == '=';
+    }
+    REQUIRE(taken == named && taken > 0);
+}
+
 /* The weight of the last item is that of some column: it names one. */
 static void check_weights(const char *text)
 {
@@ -151,6 +178,7 @@ static void check_weights(const char *text)
     }
     const bool fine = weights_parse(text, arm, columns, n_columns, weights);
     REQUIRE(fine ? caught_nothing() : caught_one_message());
+    check_accuracy(text);
     if (!fine) {
         return;
     }

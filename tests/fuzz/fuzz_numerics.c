@@ -287,6 +287,77 @@ static void check_sphere(const problem *problem)
     }
 }
 
+/* ---- norms ---- */
+
+/* What tolerances come to along a direction, by the sum of magnitudes or of squares. */
+static double along(const problem *problem, const double direction[6], const double tolerances[], bool rss)
+{
+    double row[MOST_COLUMNS], sum = 0;
+    armtol_norm_row(problem->matrices, problem->n_columns, direction, row);
+    for (size_t k = 0; k < problem->n_columns; k++) {
+        const double part = row[k] == 0 ? 0 : fabs(row[k]) * tolerances[k];
+        sum += rss ? part * part : part;
+    }
+    return rss ? sqrt(sum) : sum;
+}
+
+/* It is reached, and neither along an axis nor along a direction between is there more. */
+static void check_norm(const problem *problem, unsigned components, const double tolerances[], uint64_t seed, bool rss)
+{
+    double workspace[6 * (MOST_COLUMNS + 1)], direction[6], other[6], length = 0;
+    random_source source = {seed};
+    const double *matrix = problem->matrices;
+    const size_t n = problem->n_columns;
+    const double norm = rss ? armtol_rss_norm(matrix, n, components, NULL, tolerances, 1, direction)
+                            : armtol_worst_norm(matrix, n, components, NULL, tolerances, direction, workspace);
+    REQUIRE(isfinite(norm) && fabs(along(problem, direction, tolerances, rss) - norm) <= 1e-12 * norm);
+    for (size_t i = 0; i < 6; i++) {
+        const double axis[6] = {i == 0, i == 1, i == 2, i == 3, i == 4, i == 5};
+        const bool counts = (components >> i & 1) != 0;
+        REQUIRE(!counts || along(problem, axis, tolerances, rss) <= norm * (1 + 1e-12));
+        other[i] = counts ? random_between(&source, -1, 1) : 0;
+        length += other[i] * other[i];
+    }
+    REQUIRE(along(problem, other, tolerances, rss) <= norm * sqrt(length) * (1 + 1e-12));
+}
+
+static void check_norms(const problem *problem, const double tolerances[], uint64_t seed)
+{
+    static const unsigned norms[] = {007, 003, 005, 006, 070, 030, 050, 060};
+    for (size_t i = 0; i < sizeof norms / sizeof norms[0]; i++) {
+        check_norm(problem, norms[i], tolerances, seed, false);
+        check_norm(problem, norms[i], tolerances, seed, true);
+    }
+}
+
+/* The largest tolerances for a ball: no norm is beyond its limit, and one is used up. */
+static void check_ball(const problem *problem, bool rss)
+{
+    armtol_drive drives[MOST_LINKS];
+    const armtol_norm norms[2] = {{007, 1}, {060, 0.01}};
+    const armtol_arm arm = {.name = "", .title = "", .source = "", .links = problem->links, .n_links = problem->n_links,
+                            .drives = drives};
+    const armtol_question question = {.arm = &arm, .q = problem->q, .n_poses = problem->n_poses, .tool = problem->tool,
+                                      .norms = norms, .n_norms = 2, .sigma = 3,
+                                      .method = rss ? ARMTOL_METHOD_RSS : ARMTOL_METHOD_WORST};
+    armtol_answer *answer;
+    double held = 0;
+    bool bounded = false;
+    for (size_t i = 0; i < problem->n_links; i++) {
+        drives[i] = armtol_drive_unknown;
+    }
+    REQUIRE(armtol_answer_create(&question, &answer, NULL) == ARMTOL_OK);
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        bounded = bounded || isfinite(answer->tolerances[k]);
+    }
+    for (size_t i = 0; i < 2; i++) {
+        REQUIRE((rss ? answer->norms[i].spread : answer->norms[i].of.worst) <= norms[i].limit);
+        held += answer->norms[i].of.binds;
+    }
+    REQUIRE(!bounded || fabs(held - 1) <= 1e-9);
+    armtol_answer_destroy(answer);
+}
+
 /* ---- arms drawn ---- */
 
 /* Tolerances that an arm could have: none of an angle so large that nothing is said of it. */
@@ -446,7 +517,12 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_remainder(&problem, tolerances);
         make_small(&problem, tolerances);
         if (!problem.wild) {
-            check_draws(&problem, tolerances, bytes_hash(data, size));
+            const uint64_t seed = bytes_hash(data, size);
+            check_draws(&problem, tolerances, seed);
+            check_norms(&problem, tolerances, seed);
+            if (seed % 16 == 0) { /* it takes as long as all the rest */
+                check_ball(&problem, seed / 16 % 2 == 0);
+            }
         }
     }
     return 0;

@@ -5,8 +5,8 @@
 
 /*
  * The message of a wish for which drives and given tolerances leave nothing: by how much, where, and which sources make
- * it up. row is that of the engine's fault. An exit code.
+ * it up. The fault is the engine's. An exit code.
  */
-int nothing_left(const request *request, size_t row);
+int nothing_left(const request *request, const armtol_fault *fault);
 
 #endif

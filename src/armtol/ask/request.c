@@ -7,6 +7,7 @@
 #include "armtol/lists/lists.h"
 #include "armtol/names/joint_values.h"
 #include "armtol/names/link_name.h"
+#include "armtol/wish/accuracy.h"
 #include "console/exit_code.h"
 #include "console/input_file.h"
 #include "console/message.h"
@@ -222,15 +223,12 @@ static bool take_value(const units *units, bool is_length, double *value)
     return isinf(given) || !isinf(*value);
 }
 
-static bool take_accuracy(request *request)
+/* Six numbers, without names. */
+static bool take_components(request *request, const char *text)
 {
-    const char *text = request->options->accuracy;
     bool bounded = false;
-    if (text == NULL) {
-        return true;
-    }
-    request->question.accuracy = request->accuracy;
-    if (!number_list_parse("--accuracy", text, "dx,dy,dz,wx,wy,wz", true, 6, request->accuracy)) {
+    if (!number_list_parse("--accuracy", text, "dx,dy,dz,wx,wy,wz, or NAME=NUMBER,... as in r=2,w=0.01", true, 6,
+                           request->accuracy)) {
         return false;
     }
     for (int i = 0; i < 6; i++) {
@@ -246,6 +244,50 @@ static bool take_accuracy(request *request)
         message("--accuracy: all components are free; expected at least one number");
     }
     return bounded;
+}
+
+static bool take_named_value(const units *units, const char *name, bool is_length, double *value)
+{
+    const bool fine = take_value(units, is_length, value) && *value > 0;
+    if (!fine) {
+        message("--accuracy: %s is too %s", name, *value > 0 ? "large" : "small");
+    }
+    return fine;
+}
+
+static bool take_named_accuracy(request *request, const char *text)
+{
+    named_accuracy accuracy;
+    bool fine = accuracy_parse(text, &accuracy);
+    for (size_t i = 0; i < 6 && fine; i++) {
+        fine = take_named_value(&request->units, armtol_component_name(i), i < 3, &accuracy.components[i]);
+        request->accuracy[i] = accuracy.components[i];
+    }
+    for (size_t i = 0; i < accuracy.n_norms && fine; i++) {
+        const unsigned components = accuracy.norms[i].components;
+        fine = take_named_value(&request->units, armtol_norm_name(components), armtol_norm_is_length(components),
+                                &accuracy.norms[i].limit);
+        request->norms[i] = accuracy.norms[i];
+    }
+    request->question.norms = request->norms;
+    request->question.n_norms = accuracy.n_norms;
+    const bool sphere = request->options->method == ARMTOL_METHOD_SPHERE && request->tolerances == NULL;
+    if (fine && accuracy.n_norms > 0 && sphere) {
+        message("--method sphere keeps to components alone; expected no %s in --accuracy, or another method",
+                armtol_norm_name(accuracy.norms[0].components));
+        return false;
+    }
+    return fine;
+}
+
+static bool take_accuracy(request *request)
+{
+    const char *text = request->options->accuracy;
+    if (text == NULL) {
+        return true;
+    }
+    request->question.accuracy = request->accuracy;
+    return accuracy_is_named(text) ? take_named_accuracy(request, text) : take_components(request, text);
 }
 
 static bool take_delta(request *request)
@@ -376,7 +418,7 @@ int request_failed(const request *request, const armtol_fault *fault)
         return EXIT_FAILED;
     }
     if (fault->status == ARMTOL_NOTHING_LEFT) {
-        return nothing_left(request, fault->number);
+        return nothing_left(request, fault);
     }
     if (fault->about == ARMTOL_ABOUT_DRIVES) {
         message("the drive of %s: nothing says what loads its compliance; expected masses in the arm's table, "

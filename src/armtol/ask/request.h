@@ -14,6 +14,7 @@ typedef struct request {
     const arm_laying *laying; /* how the arm's frames were laid */
     armtol_question question;
     double accuracy[6];               /* the question's, as are these: */
+    armtol_norm norms[ARMTOL_MOST_NORMS];
     double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */
     double *least, *largest;
     at_taken *taken;                  /* of each pose, where its position was asked for; else NULL */

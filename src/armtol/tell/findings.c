@@ -26,18 +26,76 @@ parameter_row findings_parameter(const findings *findings, size_t column)
     };
 }
 
-size_t findings_pose(const findings *findings, size_t component)
+size_t findings_measures(const findings *findings)
 {
-    const armtol_predicted *predicted = &findings->answer->components[component];
+    return 6 + findings->answer->n_norms;
+}
+
+const char *findings_name(const findings *findings, size_t measure)
+{
+    return measure < 6 ? armtol_component_name(measure)
+                       : armtol_norm_name(findings->answer->norms[measure - 6].components);
+}
+
+const armtol_predicted *findings_predicted(const findings *findings, size_t measure)
+{
+    const armtol_answer *answer = findings->answer;
+    return measure < 6 ? &answer->components[measure] : &answer->norms[measure - 6].of;
+}
+
+const armtol_verified *findings_verified(const findings *findings, size_t measure)
+{
+    const armtol_verification *found = findings->verification;
+    return measure < 6 ? &found->components[measure] : &found->norms[measure - 6];
+}
+
+bool findings_is_length(const findings *findings, size_t measure)
+{
+    return measure < 6 ? measure < 3 : armtol_norm_is_length(findings->answer->norms[measure - 6].components);
+}
+
+double findings_accuracy(const findings *findings, size_t measure)
+{
+    const armtol_answer *answer = findings->answer;
+    return findings->request->question.accuracy == NULL ? (double)NAN
+           : measure < 6                                ? answer->accuracy[measure]
+                                                        : answer->norms[measure - 6].limit;
+}
+
+double findings_sigmas(const findings *findings, size_t measure)
+{
+    const armtol_predicted *of = findings_predicted(findings, measure);
+    return measure < 6 ? of->shift + findings->request->options->sigma * of->deviation
+                       : findings->answer->norms[measure - 6].spread;
+}
+
+double findings_share(const armtol_budget_row *row, size_t measure)
+{
+    return measure < 6 ? row->shares[measure] : row->norm_shares[measure - 6];
+}
+
+double findings_motors(const armtol_budget *budget, size_t measure)
+{
+    return measure < 6 ? budget->motors[measure] : budget->norm_motors[measure - 6];
+}
+
+double findings_loads(const armtol_budget *budget, size_t measure)
+{
+    return measure < 6 ? budget->loads[measure] : budget->norm_loads[measure - 6];
+}
+
+size_t findings_pose(const findings *findings, size_t measure)
+{
+    const armtol_predicted *predicted = findings_predicted(findings, measure);
     const size_t pose = predicted->binds > 0                              ? predicted->binds_pose
                         : findings->answer->method == ARMTOL_METHOD_RSS ? predicted->deviation_pose
                                                                           : predicted->worst_pose;
     return pose / findings->answer->n_loads;
 }
 
-double findings_shown(const findings *findings, size_t component, double value)
+double findings_shown(const findings *findings, size_t measure, double value)
 {
-    return units_shown(&findings->request->units, component < 3, value);
+    return units_shown(&findings->request->units, findings_is_length(findings, measure), value);
 }
 
 void findings_load_difference(const findings *findings, size_t pose, double difference[6])

@@ -31,11 +31,29 @@ typedef struct parameter_row {
 
 parameter_row findings_parameter(const findings *findings, size_t column);
 
-/* The pose, from 0, that holds a component down or, where none does, in which it is largest. */
-size_t findings_pose(const findings *findings, size_t component);
+/* What is told of an error is its six components and, behind them, norms: measures. */
+size_t findings_measures(const findings *findings);
+const char *findings_name(const findings *findings, size_t measure);
+const armtol_predicted *findings_predicted(const findings *findings, size_t measure);
+const armtol_verified *findings_verified(const findings *findings, size_t measure);
+bool findings_is_length(const findings *findings, size_t measure);
 
-/* A component's number in the user's units. */
-double findings_shown(const findings *findings, size_t component, double value);
+/* Infinity for one that is free, nan where no accuracy is asked for. */
+double findings_accuracy(const findings *findings, size_t measure);
+
+/* What loads and sigma standard deviations come to, of a norm in its worst direction. */
+double findings_sigmas(const findings *findings, size_t measure);
+
+/* Of the budget: a row's share in it, and those of all motors and all loads. */
+double findings_share(const armtol_budget_row *row, size_t measure);
+double findings_motors(const armtol_budget *budget, size_t measure);
+double findings_loads(const armtol_budget *budget, size_t measure);
+
+/* The pose, from 0, that holds it down or, where none does, in which it is largest. */
+size_t findings_pose(const findings *findings, size_t measure);
+
+/* Its number in the user's units. */
+double findings_shown(const findings *findings, size_t measure, double value);
 
 /* How far the droops of a pose's loads are apart, component by component, in the user's units. */
 void findings_load_difference(const findings *findings, size_t pose, double difference[6]);

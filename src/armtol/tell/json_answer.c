@@ -161,22 +161,62 @@ static void write_parts(json *json, const findings *findings)
     json_close_array(json);
 }
 
+/* What components and norms have alike. */
+static void write_predicted(json *json, const findings *findings, size_t i)
+{
+    const armtol_predicted *of = findings_predicted(findings, i);
+    json_text(json, "name", findings_name(findings, i));
+    json_known(json, "accuracy", findings_shown(findings, i, findings_accuracy(findings, i)));
+    json_number(json, "worst_case", findings_shown(findings, i, of->worst));
+    json_number(json, "standard_deviation", findings_shown(findings, i, of->deviation));
+    json_number(json, "remainder", findings_shown(findings, i, of->remainder));
+    json_number(json, "rounding", findings_shown(findings, i, of->rounding));
+    json_number(json, "binds", of->binds);
+    json_number(json, "load", findings_shown(findings, i, of->shift));
+    json_count(json, "pose", findings_pose(findings, i) + 1);
+}
+
 static void write_components(json *json, const findings *findings)
 {
-    const double *accuracy = findings->request->question.accuracy;
     json_open_array(json, "components");
     for (size_t i = 0; i < 6; i++) {
-        const armtol_predicted *component = &findings->answer->components[i];
         json_open_object(json, NULL);
-        json_text(json, "name", armtol_component_name(i));
-        json_known(json, "accuracy", accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
-        json_number(json, "worst_case", findings_shown(findings, i, component->worst));
-        json_number(json, "standard_deviation", findings_shown(findings, i, component->deviation));
-        json_number(json, "remainder", findings_shown(findings, i, component->remainder));
-        json_number(json, "rounding", findings_shown(findings, i, component->rounding));
-        json_number(json, "binds", component->binds);
-        json_number(json, "load", findings_shown(findings, i, component->shift));
-        json_count(json, "pose", findings_pose(findings, i) + 1);
+        write_predicted(json, findings, i);
+        json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+static void write_held(json *json, const findings *findings, size_t norm)
+{
+    const armtol_answer *answer = findings->answer;
+    json_open_array(json, "held");
+    for (size_t i = 0; i < answer->n_held; i++) {
+        const armtol_held_direction *held = &answer->held_directions[i];
+        if (held->norm == norm) {
+            json_open_object(json, NULL);
+            json_count(json, "pose", held->pose / answer->n_loads + 1);
+            json_numbers(json, "direction", held->direction, 6);
+            json_number(json, "binds", held->share);
+            json_close_object(json);
+        }
+    }
+    json_close_array(json);
+}
+
+static void write_norms(json *json, const findings *findings)
+{
+    json_open_array(json, "norms");
+    for (size_t i = 0; i < findings->answer->n_norms; i++) {
+        const armtol_predicted_norm *norm = &findings->answer->norms[i];
+        json_open_object(json, NULL);
+        write_predicted(json, findings, 6 + i);
+        json_number(json, "sigmas", findings_shown(findings, 6 + i, norm->spread));
+        if (isfinite(norm->of.worst)) {
+            json_numbers(json, "worst_direction", norm->worst_direction, 6);
+            json_numbers(json, "sigmas_direction", norm->spread_direction, 6);
+        }
+        write_held(json, findings, i);
         json_close_object(json);
     }
     json_close_array(json);
@@ -231,7 +271,7 @@ static void write_loads(json *json, const findings *findings)
     json_close_array(json);
 }
 
-static void write_budget(json *json, const armtol_arm *arm, const armtol_budget *budget)
+static void write_budget(json *json, const armtol_arm *arm, const armtol_budget *budget, size_t n_norms)
 {
     json_open_array(json, "budget");
     for (size_t i = 0; i < budget->n_rows; i++) {
@@ -241,6 +281,9 @@ static void write_budget(json *json, const armtol_arm *arm, const armtol_budget 
         json_text_if(json, "name", link_name(arm, row->link));
         json_text(json, "role", armtol_role_name(row->role));
         json_numbers(json, "shares", row->shares, 6);
+        if (n_norms > 0) {
+            json_numbers(json, "norm_shares", row->norm_shares, n_norms);
+        }
         json_close_object(json);
     }
     json_close_array(json);
@@ -248,14 +291,14 @@ static void write_budget(json *json, const armtol_arm *arm, const armtol_budget 
 
 static void write_verified(json *json, const findings *findings, size_t i)
 {
-    const armtol_verified *component = &findings->verification->components[i];
-    const armtol_predicted *predicted = &findings->answer->components[i];
+    const armtol_verified *component = findings_verified(findings, i);
+    const armtol_predicted *predicted = findings_predicted(findings, i);
     double quantiles[ARMTOL_QUANTILES];
     for (int j = 0; j < ARMTOL_QUANTILES; j++) {
         quantiles[j] = findings_shown(findings, i, component->quantiles[j]);
     }
     json_open_object(json, NULL);
-    json_text(json, "name", armtol_component_name(i));
+    json_text(json, "name", findings_name(findings, i));
     json_number(json, "prediction", findings_shown(findings, i, predicted->worst));
     json_number(json, "remainder", findings_shown(findings, i, predicted->remainder));
     json_numbers(json, "quantiles", quantiles, ARMTOL_QUANTILES);
@@ -286,6 +329,13 @@ static void write_verification(json *json, const findings *findings)
         write_verified(json, findings, i);
     }
     json_close_array(json);
+    if (findings->answer->n_norms > 0) {
+        json_open_array(json, "norms");
+        for (size_t i = 6; i < findings_measures(findings); i++) {
+            write_verified(json, findings, i);
+        }
+        json_close_array(json);
+    }
     json_close_object(json);
 }
 
@@ -304,11 +354,14 @@ bool output_json(const findings *findings)
     write_parameters(&json, findings);
     write_parts(&json, findings);
     write_components(&json, findings);
+    if (findings->answer->n_norms > 0) {
+        write_norms(&json, findings);
+    }
     if (findings->answer->loaded) {
         write_loads(&json, findings);
     }
     if (findings->budget != NULL) {
-        write_budget(&json, findings->request->question.arm, findings->budget);
+        write_budget(&json, findings->request->question.arm, findings->budget, findings->answer->n_norms);
     }
     if (findings->verification != NULL) {
         write_verification(&json, findings);

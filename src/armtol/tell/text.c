@@ -132,8 +132,9 @@ static void print_method(const findings *findings)
         wrap_say(&wrap, "The tolerances of %s, and the accuracy that they give", options->tolerances);
     } else if (options->method == ARMTOL_METHOD_RSS) {
         wrap_say(&wrap,
-                 "The largest tolerances with which %g standard deviations of every component are within its accuracy",
-                 options->sigma);
+                 "The largest tolerances with which %g standard deviations of every component%s are within its "
+                 "accuracy",
+                 options->sigma, findings->answer->n_norms > 0 ? ", and of norms in every direction," : "");
     } else if (options->method == ARMTOL_METHOD_SPHERE) {
         wrap_say(&wrap, "Tolerances by the bounds of 1987, corrected: distance %.6g, angle %.6g, delta %.6g,",
                  findings_shown(findings, 0, findings->answer->bounds.distance),

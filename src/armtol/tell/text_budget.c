@@ -4,14 +4,13 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 enum { BAR = 60 };
 
-static void add_shares(table *table, const double shares[6])
+static void add_share(table *table, double share)
 {
-    for (size_t i = 0; i < 6; i++) {
-        table_add_cells(table, isnan(shares[i]) ? "-" : "%.1f", 100 * shares[i]);
-    }
+    table_add_cells(table, isnan(share) ? "-" : "%.1f", 100 * share);
 }
 
 static bool has_loads(const armtol_budget *budget)
@@ -23,23 +22,32 @@ static bool has_loads(const armtol_budget *budget)
     return any;
 }
 
-static bool print_table(const armtol_arm *arm, const armtol_budget *budget)
+static bool print_table(const findings *findings)
 {
+    const armtol_arm *arm = findings->request->question.arm;
+    const armtol_budget *budget = findings->budget;
+    const size_t n = findings_measures(findings);
     table table = TABLE_EMPTY;
     table_add(&table, "link");
-    for (size_t i = 0; i < 6; i++) {
-        table_add_cells(&table, "%s", armtol_component_name(i));
+    for (size_t i = 0; i < n; i++) {
+        table_add_cells(&table, "%s", findings_name(findings, i));
     }
     for (size_t r = 0; r < budget->n_rows; r++) {
         table_add(&table, "%s %s", link_cell(arm, budget->rows[r].link, &(link_text){""}),
                   armtol_role_name(budget->rows[r].role));
-        add_shares(&table, budget->rows[r].shares);
+        for (size_t i = 0; i < n; i++) {
+            add_share(&table, findings_share(&budget->rows[r], i));
+        }
     }
     table_add(&table, "all motors");
-    add_shares(&table, budget->motors);
+    for (size_t i = 0; i < n; i++) {
+        add_share(&table, findings_motors(budget, i));
+    }
     if (has_loads(budget)) {
         table_add(&table, "all loads");
-        add_shares(&table, budget->loads);
+        for (size_t i = 0; i < n; i++) {
+            add_share(&table, findings_loads(budget, i));
+        }
     }
     return table_finish(&table, "Where the error comes from, % of each component", NULL, FORMAT_TEXT, stdout);
 }
@@ -58,7 +66,7 @@ static void print_bar(const armtol_budget *budget, size_t i, armtol_role role)
     size_t at = 0;
     for (size_t r = 0; r < budget->n_rows; r++) {
         const armtol_budget_row *row = &budget->rows[r];
-        sum += row->role == role ? row->shares[i] : 0;
+        sum += row->role == role ? findings_share(row, i) : 0;
         /* a load that takes off from others leaves its own part of the bar empty */
         for (const size_t end = (size_t)(fmax(fmin(sum, 1), 0) * BAR + 0.5); at < end; at++) {
             putchar(sign_of(row->link));
@@ -67,30 +75,36 @@ static void print_bar(const armtol_budget *budget, size_t i, armtol_role role)
     putchar('\n');
 }
 
-static void print_bars(const armtol_budget *budget, size_t i)
+static void print_bars(const findings *findings, size_t i, int width)
 {
-    if (isnan(budget->motors[i])) {
-        printf("  %s without a bound\n", armtol_component_name(i));
+    const armtol_budget *budget = findings->budget;
+    if (isnan(findings_motors(budget, i))) {
+        printf("  %-*s without a bound\n", width, findings_name(findings, i));
         return;
     }
-    printf("  %s motors    |", armtol_component_name(i));
+    printf("  %-*s motors    |", width, findings_name(findings, i));
     print_bar(budget, i, ARMTOL_MOTOR);
-    printf("     machining |");
+    printf("  %*s machining |", width, "");
     print_bar(budget, i, ARMTOL_MACHINING);
     if (has_loads(budget)) {
-        printf("     loads     |");
+        printf("  %*s loads     |", width, "");
         print_bar(budget, i, ARMTOL_LOAD);
     }
 }
 
 bool text_budget(const findings *findings)
 {
-    if (!print_table(findings->request->question.arm, findings->budget)) {
+    size_t width = 0;
+    if (!print_table(findings)) {
         return false;
     }
+    for (size_t i = 0; i < findings_measures(findings); i++) {
+        const size_t length = strlen(findings_name(findings, i));
+        width = length > width ? length : width;
+    }
     printf("\nThe same as bars of link numbers, a whole component being %d long\n\n", BAR);
-    for (size_t i = 0; i < 6; i++) {
-        print_bars(findings->budget, i);
+    for (size_t i = 0; i < findings_measures(findings); i++) {
+        print_bars(findings, i, (int)width);
     }
     return true;
 }

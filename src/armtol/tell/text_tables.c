@@ -95,21 +95,21 @@ bool text_parts(const findings *findings)
 static void add_component(const findings *findings, size_t i, table *table)
 {
     const request *request = findings->request;
-    const double *accuracy = request->question.accuracy;
-    const armtol_predicted *component = &findings->answer->components[i];
-    table_add(table, "%s", armtol_component_name(i));
-    if (accuracy != NULL && isinf(accuracy[i])) {
+    const double accuracy = findings_accuracy(findings, i);
+    const armtol_predicted *component = findings_predicted(findings, i);
+    table_add(table, "%s", findings_name(findings, i));
+    if (isinf(accuracy)) {
         table_add_cells(table, "free");
     } else {
-        add_number(table, accuracy != NULL ? findings_shown(findings, i, accuracy[i]) : (double)NAN);
+        add_number(table, findings_shown(findings, i, accuracy));
     }
     add_number(table, findings_shown(findings, i, component->worst));
-    add_number(table, findings_shown(findings, i, component->shift + request->options->sigma * component->deviation));
+    add_number(table, findings_shown(findings, i, findings_sigmas(findings, i)));
     if (findings->answer->loaded) {
         add_number(table, findings_shown(findings, i, component->shift));
     }
     add_number(table, findings_shown(findings, i, component->remainder));
-    table_add_cells(table, "%s", units_name(&request->units, i < 3));
+    table_add_cells(table, "%s", units_name(&request->units, findings_is_length(findings, i)));
     if (request->question.n_poses > 1) {
         table_add_cells(table, "%zu", findings_pose(findings, i) + 1);
     }
@@ -119,17 +119,16 @@ static void add_component(const findings *findings, size_t i, table *table)
 /* Accuracies that double precision cannot tell from 0. */
 static void print_below_rounding(const findings *findings)
 {
-    const double *accuracy = findings->request->question.accuracy;
-    for (size_t i = 0; i < 6 && accuracy != NULL; i++) {
-        const double rounding = findings->answer->components[i].rounding;
-        if (accuracy[i] < rounding) {
+    for (size_t i = 0; i < findings_measures(findings); i++) {
+        const double rounding = findings_predicted(findings, i)->rounding;
+        if (findings_accuracy(findings, i) < rounding) {
             wrap wrap;
             printf("\n");
             wrap_start(&wrap, stdout, 0, 0);
             wrap_say(&wrap, "%s: the accuracy is less than the %.2g %s that rounding can make of an error of this arm: "
                             "numbers of double precision cannot tell whether it is kept.",
-                     armtol_component_name(i), findings_shown(findings, i, rounding),
-                     units_name(&findings->request->units, i < 3));
+                     findings_name(findings, i), findings_shown(findings, i, rounding),
+                     units_name(&findings->request->units, findings_is_length(findings, i)));
             wrap_end(&wrap);
         }
     }
@@ -140,11 +139,11 @@ static void print_above_worst(const findings *findings)
 {
     const double sigma = findings->request->options->sigma;
     size_t n = 0;
-    const char *names[6];
-    for (size_t i = 0; i < 6; i++) {
-        const armtol_predicted *component = &findings->answer->components[i];
-        if (isfinite(component->worst) && component->shift + sigma * component->deviation > component->worst) {
-            names[n++] = armtol_component_name(i);
+    const char *names[6 + ARMTOL_MOST_NORMS];
+    for (size_t i = 0; i < findings_measures(findings); i++) {
+        const double worst = findings_predicted(findings, i)->worst;
+        if (isfinite(worst) && findings_sigmas(findings, i) > worst) {
+            names[n++] = findings_name(findings, i);
         }
     }
     if (n > 0) {
@@ -170,7 +169,7 @@ bool text_components(const findings *findings)
     table_add(&table, "component\taccuracy\tworst case\t%g sigma%s\tremainder\tunit%s%s", request->options->sigma,
               findings->answer->loaded ? "\tload" : "",
               request->question.n_poses > 1 ? "\tpose" : "", optimum ? "\tbinds" : "");
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i < findings_measures(findings); i++) {
         add_component(findings, i, &table);
     }
     const bool fine = table_finish(&table,
@@ -178,6 +177,7 @@ bool text_components(const findings *findings)
                                    : "Error of the tool, along the base's axes",
                         NULL, FORMAT_TEXT, stdout);
     if (fine) {
+        text_norms(findings);
         print_above_worst(findings);
         print_below_rounding(findings);
     }
@@ -186,12 +186,13 @@ bool text_components(const findings *findings)
 
 static void add_error(const findings *findings, size_t i, table *table)
 {
-    table_add(table, "%s, %s", armtol_component_name(i), units_name(&findings->request->units, i < 3));
+    table_add(table, "%s, %s", findings_name(findings, i),
+              units_name(&findings->request->units, findings_is_length(findings, i)));
 }
 
 static void add_drawn(const findings *findings, size_t i, table *table)
 {
-    const armtol_verified *component = &findings->verification->components[i];
+    const armtol_verified *component = findings_verified(findings, i);
     add_error(findings, i, table);
     for (int j = 0; j < ARMTOL_QUANTILES; j++) {
         add_digits(table, 4, findings_shown(findings, i, component->quantiles[j]));
@@ -208,7 +209,7 @@ static bool print_drawn(const findings *findings)
         table_add_cells(&table, "%g %%", 100 * findings->verification->probabilities[j]);
     }
     table_add_cells(&table, "worst");
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i < findings_measures(findings); i++) {
         add_drawn(findings, i, &table);
     }
     printf("\n");
@@ -224,10 +225,10 @@ static bool print_corners(const findings *findings)
 {
     table table = TABLE_EMPTY;
     table_add(&table, "error\tcorner\tby A\tremainder");
-    for (size_t i = 0; i < 6; i++) {
-        const armtol_predicted *predicted = &findings->answer->components[i];
+    for (size_t i = 0; i < findings_measures(findings); i++) {
+        const armtol_predicted *predicted = findings_predicted(findings, i);
         add_error(findings, i, &table);
-        add_digits(&table, 6, findings_shown(findings, i, findings->verification->components[i].worst_corner));
+        add_digits(&table, 6, findings_shown(findings, i, findings_verified(findings, i)->worst_corner));
         add_digits(&table, 6, findings_shown(findings, i, predicted->worst));
         add_digits(&table, 2, findings_shown(findings, i, predicted->remainder));
     }

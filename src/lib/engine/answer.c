@@ -6,6 +6,7 @@
 #include "lib/engine/find.h"
 #include "lib/engine/parts.h"
 #include "lib/engine/place.h"
+#include "lib/norms/answer_norms.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -40,7 +41,8 @@ static void reach_of(const armtol_answer *answer, size_t pose, double reach[])
     }
 }
 
-static void predict(armtol_answer *answer, double reach[])
+/* workspace: for norms, where there are any. */
+static void predict(armtol_answer *answer, double reach[], double workspace[])
 {
     for (size_t pose = 0; pose < answer->n_poses; pose++) {
         reach_of(answer, pose, reach);
@@ -52,6 +54,7 @@ static void predict(armtol_answer *answer, double reach[])
             predict_component(answer, pose, i, &answer->components[i]);
             answer->components[i].rounding = fmax(answer->components[i].rounding, rounding[i]);
         }
+        answer_predict_norms(answer, pose, rounding, workspace);
     }
 }
 
@@ -124,23 +127,33 @@ static armtol_fault take_tolerances(armtol_answer *answer, const armtol_question
 static armtol_fault conclude(armtol_answer *answer, const armtol_question *question)
 {
     double *reach = calloc(answer->n_columns, sizeof *reach);
-    if (reach == NULL) {
+    double *workspace = calloc(armtol_norm_workspace(answer->n_columns), sizeof *workspace);
+    if (reach == NULL || workspace == NULL) {
+        free(reach);
+        free(workspace);
         return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
-    }
-    for (size_t i = 0; i < 6; i++) {
-        answer->accuracy[i] = question->accuracy != NULL ? question->accuracy[i] : (double)INFINITY;
     }
     answer_make_parts(answer, question);
     answer_find_droops(answer);
-    predict(answer, reach);
+    predict(answer, reach, workspace);
     free(reach);
+    free(workspace);
     return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
+}
+
+static void take_accuracy(armtol_answer *answer, const armtol_question *question)
+{
+    for (size_t i = 0; i < 6; i++) {
+        answer->accuracy[i] = question->accuracy != NULL ? question->accuracy[i] : (double)INFINITY;
+    }
+    answer_take_norms(answer, question);
 }
 
 static armtol_fault fill(armtol_answer *answer, const armtol_question *question)
 {
     armtol_fault fault = question_check(question);
     if (fault.status == ARMTOL_OK) {
+        take_accuracy(answer, question);
         fault = answer_place(answer, question);
     }
     if (fault.status == ARMTOL_OK && !get_memory(answer)) {
@@ -189,6 +202,7 @@ void armtol_answer_destroy(armtol_answer *answer)
         free(answer->remainders);
         free(answer->given);
         free(answer->held);
+        free(answer->held_directions);
         free(answer->parts);
         free(answer);
     }

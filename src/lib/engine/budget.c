@@ -1,5 +1,7 @@
 #include "armtol/budget.h"
 
+#include "lib/norms/answer_norms.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
@@ -28,29 +30,39 @@ static size_t load_row_of(const armtol_answer *answer, size_t column)
     return ARMTOL_ROLE_COUNT * answer->columns[column].link + ARMTOL_LOAD;
 }
 
-/* Where the error is that is told. */
-static size_t pose_of(const armtol_answer *answer, size_t i)
+/* What is shared out: a component or a norm, where it is told. */
+typedef struct told {
+    const armtol_answer *answer;
+    size_t measure, pose;
+    const double *row; /* A's, or along the norm's direction */
+    bool unbounded;
+    double shift;
+} told;
+
+static told told_of(const armtol_answer *answer, size_t measure, double row[])
 {
-    const armtol_predicted *component = &answer->components[i];
-    return answer->method == ARMTOL_METHOD_RSS ? component->deviation_pose : component->worst_pose;
+    told told = {.answer = answer, .measure = measure, .pose = answer_told_pose(answer, measure), .row = row};
+    const double *shifts = armtol_answer_shifts(answer, told.pose);
+    answer_told_row(answer, measure, row);
+    told.unbounded = isinf(answer_predicted(answer, measure)->worst);
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        told.shift += row[k] * shifts[k];
+    }
+    return told;
 }
 
-/* What a column's tolerance puts into a component: a magnitude, or its square. */
-static double contribution(const armtol_answer *answer, size_t column, size_t i)
+/* What a column's tolerance puts into it: a magnitude, or its square. */
+static double contribution(const told *told, size_t column)
 {
-    const size_t pose = pose_of(answer, i);
-    const double *matrix = armtol_answer_matrix(answer, pose);
-    const double error = fabs(matrix[i * answer->n_columns + column]) * armtol_answer_bounded(answer, pose)[column];
-    return answer->method == ARMTOL_METHOD_RSS ? error * error : error;
+    const double error = fabs(told->row[column]) * armtol_answer_bounded(told->answer, told->pose)[column];
+    return told->answer->method == ARMTOL_METHOD_RSS ? error * error : error;
 }
 
 /* What its shift does, positive where it adds to the whole. */
-static double contribution_of_load(const armtol_answer *answer, size_t column, size_t i)
+static double contribution_of_load(const told *told, size_t column)
 {
-    const size_t pose = pose_of(answer, i);
-    const double part = armtol_answer_matrix(answer, pose)[i * answer->n_columns + column] *
-                        armtol_answer_shifts(answer, pose)[column];
-    return armtol_answer_shift(answer, pose, i) < 0 ? -part : part;
+    const double part = told->row[column] * armtol_answer_shifts(told->answer, told->pose)[column];
+    return told->shift < 0 ? -part : part;
 }
 
 static double share_of(double part, double total)
@@ -58,41 +70,49 @@ static double share_of(double part, double total)
     return isinf(total) ? (double)NAN : total > 0 ? part / total : 0;
 }
 
-/* The two terms of a component's error: what loads do, and what tolerances do, whose shares are of the sum of parts. */
+/* The two terms of an error: what loads do, and what tolerances do, whose shares are of the sum of parts. */
 typedef struct terms {
     double load, spread, parts;
 } terms;
 
-static terms terms_of(const armtol_answer *answer, size_t i)
+static terms terms_of(const told *told)
 {
-    const bool unbounded = isinf(answer->components[i].worst);
-    terms terms = {.load = fabs(armtol_answer_shift(answer, pose_of(answer, i), i))};
-    for (size_t k = 0; k < answer->n_columns; k++) {
-        terms.parts += contribution(answer, k, i);
+    terms terms = {.load = fabs(told->shift)};
+    for (size_t k = 0; k < told->answer->n_columns; k++) {
+        terms.parts += contribution(told, k);
     }
-    terms.spread = answer->method == ARMTOL_METHOD_RSS ? answer->sigma * sqrt(terms.parts / 3) : terms.parts;
-    terms.spread = unbounded ? (double)INFINITY : terms.spread;
+    const bool rss = told->answer->method == ARMTOL_METHOD_RSS;
+    terms.spread = rss ? told->answer->sigma * sqrt(terms.parts / 3) : terms.parts;
+    terms.spread = told->unbounded ? (double)INFINITY : terms.spread;
     return terms;
 }
 
-static void add_column(armtol_budget *budget, const armtol_answer *answer, const terms *terms, size_t k, size_t i)
+static double *place_of(double components[6], double norms[ARMTOL_MOST_NORMS], size_t measure)
 {
-    armtol_budget_row *row = &budget->rows[row_of(answer, k)];
-    const double total = terms->load + terms->spread;
-    const double of_spread = share_of(contribution(answer, k, i), isinf(total) ? total : terms->parts);
-    const double share = terms->load > 0 ? of_spread * share_of(terms->spread, total) : of_spread;
-    const double load = share_of(contribution_of_load(answer, k, i), total);
-    row->shares[i] += share;
-    budget->motors[i] += row->role == ARMTOL_MOTOR ? share : 0;
-    budget->rows[load_row_of(answer, k)].shares[i] += load;
-    budget->loads[i] += load;
+    return measure < 6 ? &components[measure] : &norms[measure - 6];
 }
 
-static void add_component(armtol_budget *budget, const armtol_answer *answer, size_t i)
+static void add_column(armtol_budget *budget, const told *told, const terms *terms, size_t k)
 {
-    const terms terms = terms_of(answer, i);
+    const size_t m = told->measure;
+    armtol_budget_row *row = &budget->rows[row_of(told->answer, k)];
+    armtol_budget_row *load_row = &budget->rows[load_row_of(told->answer, k)];
+    const double total = terms->load + terms->spread;
+    const double of_spread = share_of(contribution(told, k), isinf(total) ? total : terms->parts);
+    const double share = terms->load > 0 ? of_spread * share_of(terms->spread, total) : of_spread;
+    const double load = share_of(contribution_of_load(told, k), total);
+    *place_of(row->shares, row->norm_shares, m) += share;
+    *place_of(budget->motors, budget->norm_motors, m) += row->role == ARMTOL_MOTOR ? share : 0;
+    *place_of(load_row->shares, load_row->norm_shares, m) += load;
+    *place_of(budget->loads, budget->norm_loads, m) += load;
+}
+
+static void add_measure(armtol_budget *budget, const armtol_answer *answer, size_t measure, double row[])
+{
+    const told told = told_of(answer, measure, row);
+    const terms terms = terms_of(&told);
     for (size_t k = 0; k < answer->n_columns; k++) {
-        add_column(budget, answer, &terms, k, i);
+        add_column(budget, &told, &terms, k);
     }
 }
 
@@ -121,13 +141,13 @@ static void drop_empty_rows(armtol_budget *budget, const armtol_answer *answer)
     }
 }
 
-static void fill(armtol_budget *budget, const armtol_answer *answer)
+static void fill(armtol_budget *budget, const armtol_answer *answer, double row[])
 {
     for (size_t i = 0; i < ARMTOL_ROLE_COUNT * answer->n_links; i++) {
         budget->rows[i] = (armtol_budget_row){.link = SIZE_MAX, .role = (armtol_role)(i % ARMTOL_ROLE_COUNT)};
     }
-    for (size_t i = 0; i < 6; i++) {
-        add_component(budget, answer, i);
+    for (size_t measure = 0; measure < 6 + answer->n_norms; measure++) {
+        add_measure(budget, answer, measure, row);
     }
     drop_empty_rows(budget, answer);
 }
@@ -139,12 +159,15 @@ armtol_status armtol_budget_create(const armtol_answer *answer, armtol_budget **
         return ARMTOL_NO_MEMORY;
     }
     (*budget)->rows = calloc(answer->n_links, ARMTOL_ROLE_COUNT * sizeof *(*budget)->rows);
-    if ((*budget)->rows == NULL) {
+    double *row = calloc(answer->n_columns, sizeof *row);
+    if ((*budget)->rows == NULL || row == NULL) {
         armtol_budget_destroy(*budget);
+        free(row);
         *budget = NULL;
         return ARMTOL_NO_MEMORY;
     }
-    fill(*budget, answer);
+    fill(*budget, answer, row);
+    free(row);
     return ARMTOL_OK;
 }
 

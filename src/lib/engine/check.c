@@ -19,7 +19,8 @@ static bool is_positive(double value)
 static bool is_whole(const armtol_question *question)
 {
     const armtol_arm *arm = question->arm;
-    return arm != NULL && question->n_poses > 0 && (question->accuracy != NULL || question->tolerances != NULL) &&
+    const bool asks = question->accuracy != NULL || question->n_norms > 0 || question->tolerances != NULL;
+    return arm != NULL && question->n_poses > 0 && asks &&
            (question->q != NULL || armtol_arm_joint_count(arm) == 0);
 }
 
@@ -27,6 +28,22 @@ static bool is_method(const armtol_question *question)
 {
     return (size_t)question->method < ARMTOL_METHOD_COUNT &&
            (question->method != ARMTOL_METHOD_RSS || is_positive(question->sigma));
+}
+
+static armtol_fault check_norms(const armtol_question *question)
+{
+    if (question->n_norms > 0 && question->method == ARMTOL_METHOD_SPHERE && question->tolerances == NULL) {
+        return fault_of(ARMTOL_BAD_NORM, ARMTOL_ABOUT_METHOD, 0);
+    }
+    for (size_t i = 0; i < question->n_norms; i++) {
+        if (i == ARMTOL_MOST_NORMS || !armtol_norm_is_known(question->norms[i].components)) {
+            return fault_of(ARMTOL_BAD_NORM, ARMTOL_ABOUT_NORM, i);
+        }
+        if (!(question->norms[i].limit > 0)) {
+            return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_NORM, i);
+        }
+    }
+    return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
 }
 
 armtol_fault question_check(const armtol_question *question)
@@ -41,6 +58,10 @@ armtol_fault question_check(const armtol_question *question)
         if (!(question->accuracy[i] > 0)) {
             return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_ACCURACY, i);
         }
+    }
+    const armtol_fault fault = check_norms(question);
+    if (fault.status != ARMTOL_OK) {
+        return fault;
     }
     const armtol_status status = armtol_arm_check(question->arm);
     return status == ARMTOL_OK ? question_check_drives(question) : fault_of(status, ARMTOL_ABOUT_ARM, 0);

@@ -7,10 +7,9 @@
 #include <stdbool.h>
 
 /*
- * The worst corner of the six components, the largest of all poses, what has no bound counting as exact. False where it
- * was ended early: what was found until then is there. errors has a place a column.
+ * The worst corner of every component and norm, the largest of all poses, what has no bound counting as exact. False
+ * where it was ended early: what was found until then is there. errors has two places a column.
  */
-bool search_corners(const armtol_answer *answer, const armtol_draw *draw, double errors[],
-                    armtol_verified components[6]);
+bool search_corners(const armtol_answer *answer, const armtol_draw *draw, double errors[], armtol_verification *found);
 
 #endif

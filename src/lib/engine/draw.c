@@ -32,8 +32,25 @@ typedef struct worker {
     pthread_t thread;
     tally tally;
     double errors[6 * TALLY_MOST];
-    double magnitudes[6 * TALLY_MOST];
+    double magnitudes[TALLY_MEASURES * TALLY_MOST]; /* the largest of all poses */
 } worker;
+
+static void keep_larger(double *most, double magnitude, bool first)
+{
+    *most = !first && magnitude < *most ? *most : magnitude;
+}
+
+/* Of each arm the norm of these components. */
+static void measure_norm(const double errors[], size_t count, unsigned components, bool first, double magnitudes[])
+{
+    for (size_t j = 0; j < count; j++) {
+        double error[6];
+        for (size_t i = 0; i < 6; i++) {
+            error[i] = errors[i * count + j];
+        }
+        keep_larger(&magnitudes[j], armtol_norm_of(error, components), first);
+    }
+}
 
 static void draw_chunk(worker *worker, uint64_t first, size_t count)
 {
@@ -41,9 +58,10 @@ static void draw_chunk(worker *worker, uint64_t first, size_t count)
     for (size_t pose = 0; pose < work->n_poses; pose++) {
         armtol_sampler_draw(&work->samplers[pose], first, count, worker->errors);
         for (size_t i = 0; i < 6 * count; i++) {
-            const double magnitude = fabs(worker->errors[i]);
-            const bool less = pose > 0 && magnitude < worker->magnitudes[i];
-            worker->magnitudes[i] = less ? worker->magnitudes[i] : magnitude;
+            keep_larger(&worker->magnitudes[i], fabs(worker->errors[i]), pose == 0);
+        }
+        for (size_t i = 6; i < work->limits->n_measures; i++) {
+            measure_norm(worker->errors, count, work->limits->components[i], pose == 0, worker->magnitudes + i * count);
         }
     }
     tally_add(&worker->tally, work->limits, first, count, worker->magnitudes);
@@ -104,7 +122,7 @@ static worker *worker_new(work *work)
     worker *worker = malloc(sizeof *worker);
     if (worker != NULL) {
         worker->work = work;
-        tally_start(&worker->tally);
+        tally_start(&worker->tally, work->limits->n_measures);
     }
     return worker;
 }
@@ -153,7 +171,7 @@ static armtol_status run_workers(work *work, tally *tally)
     }
     const size_t started = start_threads(work, others, n_others);
     run_first_worker(first);
-    *tally = first->tally;
+    memcpy(tally, &first->tally, tally_size(&first->tally));
     for (size_t i = 0; i < started; i++) {
         pthread_join(others[i]->thread, NULL);
         tally_merge(tally, &others[i]->tally);

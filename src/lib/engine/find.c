@@ -5,6 +5,7 @@
 #include "armtol/sphere.h"
 #include "lib/engine/check.h"
 #include "lib/engine/parts.h"
+#include "lib/norms/cuts.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -14,11 +15,15 @@
 /* ---- what is left beside what is given ---- */
 
 /*
- * The columns that are asked for, and A, limits and weights for them alone: `extra` rows more than A has, a column's
- * each.
+ * The columns that are asked for, and for them alone the rows, their limits and the weights: A's rows, those of cuts,
+ * and `extra` ones, a column's each.
  */
 typedef struct rows {
-    size_t n_free, n_rows, n_extra;
+    size_t n_free, n_components, n_rows, n_extra; /* n_rows: without the extra ones */
+    size_t room;                                  /* for rows of all kinds */
+    cuts cuts;
+    bool *asked;   /* a column of A: the free ones */
+    double *found; /* a column of A: of those what was found */
     bool *pinned;          /* a column of A: held at its least for now, as if that were given */
     double *pulls;         /* a column of A: what rows take of it at the optimum, as a part of its weight's worth */
     size_t *free_columns;  /* n_free: their places in A */
@@ -36,6 +41,9 @@ static void *get(size_t count, size_t size)
 
 static void free_rows(rows *rows)
 {
+    cuts_free(&rows->cuts);
+    free(rows->asked);
+    free(rows->found);
     free(rows->pinned);
     free(rows->pulls);
     free(rows->free_columns);
@@ -58,26 +66,40 @@ static bool is_free(const rows *rows, const armtol_answer *answer, size_t column
     return !answer->given[column] && !rows->pinned[column];
 }
 
+/* Room for all rows that there are now; what was in it is lost. */
+static bool get_room(rows *rows)
+{
+    if (rows->n_rows + rows->n_extra <= rows->room) {
+        return true;
+    }
+    free(rows->matrix);
+    free(rows->limits);
+    free(rows->multipliers);
+    rows->room = rows->n_rows + rows->n_extra + (rows->cuts.count > 0 ? rows->n_rows / 2 : 0);
+    rows->matrix = get(rows->room, (rows->n_free + 1) * sizeof *rows->matrix);
+    rows->limits = get(rows->room, sizeof *rows->limits);
+    rows->multipliers = get(rows->room, sizeof *rows->multipliers);
+    return rows->matrix != NULL && rows->limits != NULL && rows->multipliers != NULL;
+}
+
 static bool get_rows(rows *rows, const armtol_answer *answer, const armtol_question *question)
 {
-    *rows = (struct rows){.n_rows = 6 * answer->n_poses};
+    *rows = (struct rows){.n_components = 6 * answer->n_poses};
     for (size_t k = 0; k < answer->n_columns; k++) {
         rows->n_free += !answer->given[k];
         rows->n_extra += has_largest(answer, question, k);
     }
+    rows->asked = get(answer->n_columns, sizeof *rows->asked);
+    rows->found = get(answer->n_columns, sizeof *rows->found);
     rows->pinned = get(answer->n_columns, sizeof *rows->pinned);
     rows->pulls = get(answer->n_columns, sizeof *rows->pulls);
-    const size_t all = rows->n_rows + rows->n_extra;
     rows->free_columns = get(rows->n_free, sizeof *rows->free_columns);
     rows->columns = get(rows->n_free, sizeof *rows->columns);
-    rows->matrix = get(all, (rows->n_free + 1) * sizeof *rows->matrix);
-    rows->limits = get(all, sizeof *rows->limits);
-    rows->multipliers = get(all, sizeof *rows->multipliers);
     rows->weights = get(rows->n_free, sizeof *rows->weights);
     rows->tolerances = get(rows->n_free, sizeof *rows->tolerances);
-    return rows->pinned != NULL && rows->pulls != NULL && rows->free_columns != NULL && rows->columns != NULL &&
-           rows->matrix != NULL && rows->limits != NULL && rows->multipliers != NULL && rows->weights != NULL &&
-           rows->tolerances != NULL;
+    return rows->asked != NULL && rows->found != NULL && rows->pinned != NULL && rows->pulls != NULL &&
+           rows->free_columns != NULL && rows->columns != NULL && rows->weights != NULL && rows->tolerances != NULL &&
+           cuts_start(&rows->cuts, answer);
 }
 
 /* A row that sees the column alone, in the place of `extra`. */
@@ -93,7 +115,8 @@ static void pack_columns(rows *rows, const armtol_answer *answer, const armtol_q
 {
     rows->n_free = 0;
     for (size_t k = 0; k < answer->n_columns; k++) {
-        if (is_free(rows, answer, k)) {
+        rows->asked[k] = is_free(rows, answer, k);
+        if (rows->asked[k]) {
             rows->free_columns[rows->n_free] = k;
             rows->columns[rows->n_free] = answer->columns[k];
             rows->weights[rows->n_free++] = question_weight(question, k);
@@ -107,9 +130,16 @@ static void pack_columns(rows *rows, const armtol_answer *answer, const armtol_q
     }
 }
 
+/* The whole row, all columns of A. */
+static const double *whole_row(const rows *rows, const armtol_answer *answer, size_t row)
+{
+    return row < rows->n_components ? answer->matrices + row * answer->n_columns
+                                    : rows->cuts.rows + (row - rows->n_components) * answer->n_columns;
+}
+
 static void pack_row(rows *rows, const armtol_answer *answer, size_t row)
 {
-    const double *whole = answer->matrices + row * answer->n_columns;
+    const double *whole = whole_row(rows, answer, row);
     double *packed = rows->matrix + row * rows->n_free;
     for (size_t j = 0; j < rows->n_free; j++) {
         packed[j] = whole[rows->free_columns[j]];
@@ -126,15 +156,21 @@ static bool is_rss(const armtol_question *question)
  * standard deviations of a component are within its limit when the root of the summed squares is within
  * limit sqrt(3) / sigma. What is given takes its part: of the sum, or of the sum of squares.
  */
-static double left_of(const armtol_answer *answer, const armtol_question *question, size_t row)
+static double left_of(const rows *rows, const armtol_answer *answer, size_t row, double accuracy)
 {
-    const size_t pose = row / 6, i = row % 6, n = answer->n_columns;
-    const double *matrix = armtol_answer_matrix(answer, pose), *given = armtol_answer_bounded(answer, pose);
-    const double left = question->accuracy[i] - fabs(armtol_answer_shift(answer, pose, i));
-    if (!is_rss(question)) {
-        return left - armtol_worst_error(matrix, n, i, given);
+    const bool is_component = row < rows->n_components;
+    const size_t pose = is_component ? row / 6 : rows->cuts.cuts[row - rows->n_components].pose, n = answer->n_columns;
+    const double *whole = whole_row(rows, answer, row), *given = armtol_answer_bounded(answer, pose);
+    const double *shifts = armtol_answer_shifts(answer, pose);
+    double shift = 0;
+    for (size_t k = 0; k < n; k++) {
+        shift += whole[k] * shifts[k];
     }
-    const double limit = left * sqrt(3) / question->sigma, used = armtol_rss_error(matrix, n, i, given);
+    const double left = accuracy - fabs(shift);
+    if (answer->method != ARMTOL_METHOD_RSS) {
+        return left - armtol_worst_error(whole, n, 0, given);
+    }
+    const double limit = left * sqrt(3) / answer->sigma, used = armtol_rss_error(whole, n, 0, given);
     return used == 0 ? limit : used < limit ? sqrt(limit - used) * sqrt(limit + used) : limit - used;
 }
 
@@ -147,38 +183,76 @@ static bool is_asked(const rows *rows, size_t row)
     return asked;
 }
 
+/* Where least is left of what is asked for, as a part of it, and whether that is enough everywhere. */
+typedef struct tightest {
+    bool enough;
+    double least;
+    armtol_subject about;
+    size_t number;
+} tightest;
+
 /*
- * The limits of the accuracy. A row in which nothing is asked for may be used up by what is given, and to its last
- * digit; rounding apart, no row may by more. The fault is of the row of which least is left.
+ * What asks for nothing may be used up by what is given, and to its last digit; rounding apart, nothing may be by more.
  */
-static armtol_fault pack_limits(rows *rows, const armtol_answer *answer, const armtol_question *question)
+static void note_left(tightest *tightest, bool asked, double part, armtol_subject about, size_t number)
 {
     static const double rounding = 1e-12;
-    double least = (double)INFINITY;
-    size_t tightest = 0;
-    bool enough = true;
-    for (size_t row = 0; row < rows->n_rows; row++) {
-        const double accuracy = question->accuracy[row % 6];
+    tightest->enough = tightest->enough && (asked ? part > rounding : part >= -rounding);
+    if (part < tightest->least) {
+        tightest->least = part;
+        tightest->about = about;
+        tightest->number = number;
+    }
+}
+
+static void pack_components(rows *rows, const armtol_answer *answer, tightest *tightest)
+{
+    for (size_t row = 0; row < rows->n_components; row++) {
+        const double accuracy = answer->accuracy[row % 6];
         const bool asked = is_asked(rows, row);
         rows->limits[row] = (double)INFINITY;
         if (isfinite(accuracy)) {
-            const double left = left_of(answer, question, row), part = left / accuracy;
-            enough = enough && (asked ? part > rounding : part >= -rounding);
-            tightest = part < least ? row : tightest;
-            least = fmin(least, part);
+            const double left = left_of(rows, answer, row, accuracy);
+            note_left(tightest, asked, left / accuracy, ARMTOL_ABOUT_ROW, row);
             rows->limits[row] = asked ? left : (double)INFINITY;
         }
     }
-    return fault_of(enough ? ARMTOL_OK : ARMTOL_NOTHING_LEFT, ARMTOL_ABOUT_ROW, tightest);
+}
+
+/* What is given may use up no norm, and then something is left in every direction. */
+static void pack_norms(rows *rows, const armtol_answer *answer, tightest *tightest)
+{
+    for (size_t i = 0; i < answer->n_norms * answer->n_poses; i++) {
+        const size_t norm = i % answer->n_norms, pose = i / answer->n_norms;
+        const double limit = answer->norms[norm].limit;
+        double direction[6];
+        if (isfinite(limit)) {
+            const double *known = armtol_answer_bounded(answer, pose);
+            const double given = cuts_norm(&rows->cuts, answer, norm, pose, known, direction);
+            note_left(tightest, cuts_is_seen(answer, norm, pose, rows->asked), (limit - given) / limit,
+                      ARMTOL_ABOUT_NORM_PLACE, i);
+        }
+    }
+    for (size_t row = rows->n_components; row < rows->n_rows; row++) {
+        const double limit = answer->norms[rows->cuts.cuts[row - rows->n_components].norm].limit;
+        rows->limits[row] = is_asked(rows, row) ? left_of(rows, answer, row, limit) : (double)INFINITY;
+    }
 }
 
 static armtol_fault pack(rows *rows, const armtol_answer *answer, const armtol_question *question)
 {
+    tightest tightest = {.enough = true, .least = (double)INFINITY};
+    rows->n_rows = rows->n_components + rows->cuts.count;
+    if (!get_room(rows)) {
+        return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
+    }
     pack_columns(rows, answer, question);
     for (size_t row = 0; row < rows->n_rows; row++) {
         pack_row(rows, answer, row);
     }
-    return pack_limits(rows, answer, question);
+    pack_components(rows, answer, &tightest);
+    pack_norms(rows, answer, &tightest);
+    return fault_of(tightest.enough ? ARMTOL_OK : ARMTOL_NOTHING_LEFT, tightest.about, tightest.number);
 }
 
 /* ---- worst and rss: the optimum ---- */
@@ -210,7 +284,7 @@ static double pull_of(const armtol_answer *answer, const armtol_question *questi
     double pull = 0;
     for (size_t row = 0; row < rows->n_rows; row++) {
         if (rows->multipliers[row] > 0) {
-            const double part = fabs(answer->matrices[row * answer->n_columns + column]) * least / rows->limits[row];
+            const double part = fabs(whole_row(rows, answer, row)[column]) * least / rows->limits[row];
             pull += rows->multipliers[row] * (is_rss(question) ? part * part : part);
         }
     }
@@ -270,13 +344,34 @@ static bool let_go(rows *rows, armtol_answer *answer, const armtol_question *que
     return most > slack;
 }
 
+/* ---- norms: cuts ---- */
+
+static void note_found(rows *rows)
+{
+    for (size_t j = 0; j < rows->n_free; j++) {
+        rows->found[rows->free_columns[j]] = rows->tolerances[j];
+    }
+}
+
+/* What cuts left of norms beyond their limits. */
+static void keep_to_norms(rows *rows, const armtol_answer *answer)
+{
+    note_found(rows);
+    const double factor = answer->n_norms > 0 ? cuts_factor(&rows->cuts, answer, rows->asked, rows->found) : 1;
+    for (size_t j = 0; j < rows->n_free; j++) {
+        rows->tolerances[j] *= factor;
+    }
+}
+
+/* ---- what holds ---- */
+
 /* What holds the optimum: rows, and the ranges of columns. */
-static void note_held(armtol_answer *answer, const armtol_question *question, const rows *rows)
+static bool note_held(armtol_answer *answer, const armtol_question *question, const rows *rows)
 {
     const double whole = free_weight(rows);
     double most[6] = {0};
     size_t extra = rows->n_rows;
-    for (size_t i = 0; i < rows->n_rows; i++) {
+    for (size_t i = 0; i < rows->n_components; i++) {
         armtol_predicted *component = &answer->components[i % 6];
         component->binds += rows->multipliers[i];
         component->binds_pose = rows->multipliers[i] > most[i % 6] ? i / 6 : component->binds_pose;
@@ -294,23 +389,45 @@ static void note_held(armtol_answer *answer, const armtol_question *question, co
             answer->tolerances[k] = question_least(question, k);
         }
     }
+    return cuts_note(&rows->cuts, answer, rows->multipliers + rows->n_components);
+}
+
+/* Of the columns that are free now the optimum, and what it exceeds of norms. */
+static armtol_fault optimise_once(const armtol_answer *answer, const armtol_question *question, rows *rows,
+                                  size_t *added)
+{
+    const armtol_fault fault = pack(rows, answer, question);
+    if (fault.status != ARMTOL_OK) {
+        return fault;
+    }
+    const armtol_status status = rows->n_free > 0 ? optimise_free(question, rows) : ARMTOL_OK;
+    if (status != ARMTOL_OK) {
+        return fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_METHOD, 0);
+    }
+    note_found(rows);
+    const bool fine = cuts_add(&rows->cuts, answer, rows->asked, rows->found, added);
+    return fault_of(fine ? ARMTOL_OK : ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
 }
 
 static armtol_fault optimise(armtol_answer *answer, const armtol_question *question, rows *rows)
 {
+    enum { MOST_CUTS = 400 }; /* rounds of them in succession; some twenty are usual */
     const size_t most_rounds = 8 * answer->n_columns + 8; /* a few are enough: no arm is known that takes more than n */
-    for (size_t round = 0; round < most_rounds; round++) {
-        const armtol_fault fault = pack(rows, answer, question);
+    for (size_t round = 0, cutting = 0; round < most_rounds && cutting < MOST_CUTS;) {
+        size_t added = 0;
+        const armtol_fault fault = optimise_once(answer, question, rows, &added);
         if (fault.status != ARMTOL_OK) {
             return fault;
         }
-        const armtol_status status = rows->n_free > 0 ? optimise_free(question, rows) : ARMTOL_OK;
-        if (status != ARMTOL_OK) {
-            return fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_METHOD, 0);
-        }
-        if (!pin_low(rows, answer, question) && !let_go(rows, answer, question)) {
-            note_held(answer, question, rows);
-            return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);
+        if (added > 0) {
+            cutting++;
+        } else if (pin_low(rows, answer, question) || let_go(rows, answer, question)) {
+            round++;
+            cutting = 0;
+        } else {
+            keep_to_norms(rows, answer);
+            const bool fine = note_held(answer, question, rows);
+            return fault_of(fine ? ARMTOL_OK : ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
         }
     }
     return fault_of(ARMTOL_NOT_SOLVED, ARMTOL_ABOUT_METHOD, 0);
@@ -319,10 +436,10 @@ static armtol_fault optimise(armtol_answer *answer, const armtol_question *quest
 /* ---- sphere: the report's bounds, shared out evenly ---- */
 
 /* The least that any pose leaves of each component. */
-static void least_limits(const rows *rows, const armtol_question *question, double limits[6])
+static void least_limits(const rows *rows, const armtol_answer *answer, double limits[6])
 {
     for (size_t i = 0; i < 6; i++) {
-        limits[i] = question->accuracy[i];
+        limits[i] = answer->accuracy[i];
     }
     for (size_t row = 0; row < rows->n_rows; row++) {
         limits[row % 6] = fmin(limits[row % 6], rows->limits[row]);
@@ -334,7 +451,7 @@ static armtol_status share_sphere(armtol_answer *answer, const armtol_question *
     const size_t n = rows->n_free;
     double limits[6];
     armtol_status status = ARMTOL_OK;
-    least_limits(rows, question, limits);
+    least_limits(rows, answer, limits);
     answer->delta = question->delta;
     if (question->delta == 0) {
         status = armtol_sphere_delta(rows->matrix, answer->n_poses, n, rows->columns, limits, answer_lever(answer),

@@ -3,24 +3,32 @@
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
+#include <stddef.h>
 #include <string.h>
 
-void tally_start(tally *tally)
+void tally_start(tally *tally, size_t n_measures)
 {
-    memset(tally, 0, sizeof *tally);
-    for (int i = 0; i < 6; i++) {
+    tally->n_measures = n_measures;
+    memset(tally, 0, tally_size(tally));
+    tally->n_measures = n_measures;
+    for (size_t i = 0; i < n_measures; i++) {
         tally->worst[i] = -1;
     }
 }
 
+size_t tally_size(const tally *tally)
+{
+    return offsetof(struct tally, bins) + (size_t)tally->n_measures * sizeof tally->bins[0];
+}
+
 /*
- * Arms of which every component is within its limit; nan is not. Without a branch an arm, for the compiler to
+ * Arms of which every measure is within its limit; nan is not. Without a branch an arm, for the compiler to
  * do several arms at once: what they exceed the limits by is summed up, and 0 for those that exceed none.
  */
-static uint64_t count_within(const double limits[6], size_t count, const double magnitudes[])
+static uint64_t count_within(const double limits[], size_t n_measures, size_t count, const double magnitudes[])
 {
     double excess[TALLY_MOST] = {0};
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i < n_measures; i++) {
         const double limit = limits[i];
         for (size_t j = 0; j < count; j++) {
             const double more = magnitudes[i * count + j] - limit;
@@ -84,9 +92,9 @@ static void fill_bins(uint64_t bins[TALLY_BINS], double range, size_t count, con
 static void look_closer(tally *tally, const tally_limits *limits, uint64_t first, size_t count,
                         const double magnitudes[])
 {
-    tally->within += count_within(limits->accuracy, count, magnitudes);
-    tally->beyond += count - count_within(limits->beyond, count, magnitudes);
-    for (size_t i = 0; i < 6; i++) {
+    tally->within += count_within(limits->accuracy, limits->n_measures, count, magnitudes);
+    tally->beyond += count - count_within(limits->beyond, limits->n_measures, count, magnitudes);
+    for (size_t i = 0; i < limits->n_measures; i++) {
         find_worst(tally, i, first, count, magnitudes + i * count);
     }
 }
@@ -94,20 +102,20 @@ static void look_closer(tally *tally, const tally_limits *limits, uint64_t first
 void tally_add(tally *tally, const tally_limits *limits, uint64_t first, size_t count,
                const double magnitudes[])
 {
-    double quiet[6]; /* up to here there is nothing to look at */
-    for (size_t i = 0; i < 6; i++) {
+    double quiet[TALLY_MEASURES]; /* up to here there is nothing to look at */
+    for (size_t i = 0; i < limits->n_measures; i++) {
         fill_bins(tally->bins[i], limits->range[i], count, magnitudes + i * count);
         quiet[i] = fmin(tally->worst[i], limits->accuracy[i]);
     }
     tally->drawn += count;
-    if (count_within(quiet, count, magnitudes) == count) {
+    if (count_within(quiet, limits->n_measures, count, magnitudes) == count) {
         tally->within += count;
     } else {
         look_closer(tally, limits, first, count, magnitudes);
     }
 }
 
-static void merge_component(tally *into, const tally *part, size_t i)
+static void merge_measure(tally *into, const tally *part, size_t i)
 {
     const bool worse = part->worst[i] > into->worst[i];
     const bool earlier = part->worst[i] == into->worst[i] && part->worst_arm[i] < into->worst_arm[i];
@@ -125,8 +133,8 @@ void tally_merge(tally *into, const tally *part)
     into->drawn += part->drawn;
     into->within += part->within;
     into->beyond += part->beyond;
-    for (size_t i = 0; i < 6; i++) {
-        merge_component(into, part, i);
+    for (size_t i = 0; i < into->n_measures; i++) {
+        merge_measure(into, part, i);
     }
 }
 
@@ -136,15 +144,15 @@ static uint64_t share_of(uint64_t drawn, unsigned thousandths)
     return drawn / 1000 * thousandths + (drawn % 1000 * thousandths + 999) / 1000;
 }
 
-double tally_quantile(const tally *tally, const tally_limits *limits, size_t component, unsigned thousandths)
+double tally_quantile(const tally *tally, const tally_limits *limits, size_t measure, unsigned thousandths)
 {
     const uint64_t share = share_of(tally->drawn, thousandths);
-    const double worst = fmax(tally->worst[component], 0);
+    const double worst = fmax(tally->worst[measure], 0);
     uint64_t arms = 0;
     for (size_t bin = 0; bin < TALLY_BINS - 1; bin++) {
-        arms += tally->bins[component][bin];
+        arms += tally->bins[measure][bin];
         if (arms >= share) {
-            return fmin(end_of(first_key(limits->range[component]) + (int64_t)bin), worst);
+            return fmin(end_of(first_key(limits->range[measure]) + (int64_t)bin), worst);
         }
     }
     return worst;

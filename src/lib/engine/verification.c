@@ -5,6 +5,7 @@
 #include "lib/engine/corner_search.h"
 #include "lib/engine/draw.h"
 #include "lib/engine/parts.h"
+#include "lib/norms/answer_norms.h"
 
 #include <float.h>
 #include <math.h>
@@ -13,19 +14,30 @@
 /* In thousandths. */
 static const unsigned shares[ARMTOL_QUANTILES] = {500, 900, 990, 999};
 
-/* Where the tolerances leave the component without a bound, what was drawn counts what has none as exact. */
-static bool is_unbounded(const armtol_answer *answer, size_t component)
+static size_t measures_of(const armtol_answer *answer)
 {
-    return isinf(answer->components[component].worst);
+    return 6 + answer->n_norms;
+}
+
+static double accuracy_of(const armtol_answer *answer, size_t measure)
+{
+    return measure < 6 ? answer->accuracy[measure] : answer->norms[measure - 6].limit;
+}
+
+/* Where the tolerances leave it without a bound, what was drawn counts what has none as exact. */
+static bool is_unbounded(const armtol_answer *answer, size_t measure)
+{
+    return isinf(answer_predicted(answer, measure)->worst);
 }
 
 armtol_fault verification_check(const armtol_answer *answer)
 {
     size_t i = 0;
-    while (i < 6 && !(is_unbounded(answer, i) && isfinite(answer->accuracy[i]))) {
+    while (i < measures_of(answer) && !(is_unbounded(answer, i) && isfinite(accuracy_of(answer, i)))) {
         i++;
     }
-    return fault_of(i < 6 ? ARMTOL_UNBOUNDED : ARMTOL_OK, ARMTOL_ABOUT_ACCURACY, i);
+    return fault_of(i < measures_of(answer) ? ARMTOL_UNBOUNDED : ARMTOL_OK,
+                    i < 6 ? ARMTOL_ABOUT_ACCURACY : ARMTOL_ABOUT_NORM, i < 6 ? i : i - 6);
 }
 
 /* The length of an arm's chain, stretched and built: neither it nor the arm as meant can reach farther. */
@@ -43,39 +55,42 @@ static double reach_of(const armtol_answer *answer)
 }
 
 /*
- * No arm's magnitude is larger; nor is it more than twice what the arm reaches, or for a rotation vector half a turn:
- * where the remainder is large, or infinite.
+ * No arm's magnitude is larger; nor is it more than twice what the arm reaches, or for a rotation vector half a turn,
+ * in any direction: where the remainder is large, or infinite.
  */
 static double range_of(const armtol_answer *answer, size_t i)
 {
-    const armtol_predicted *predicted = &answer->components[i];
-    return fmin(predicted->worst + predicted->remainder, i < 3 ? reach_of(answer) : 3.14159265358979323846);
+    const armtol_predicted *predicted = answer_predicted(answer, i);
+    const bool is_length = i < 6 ? i < 3 : armtol_norm_is_length(answer->norms[i - 6].components);
+    return fmin(predicted->worst + predicted->remainder, is_length ? reach_of(answer) : 3.14159265358979323846);
 }
 
 void verification_limits(const armtol_answer *answer, tally_limits *limits)
 {
-    for (size_t i = 0; i < 6; i++) {
+    limits->n_measures = measures_of(answer);
+    for (size_t i = 0; i < limits->n_measures; i++) {
+        limits->components[i] = i < 6 ? 0 : answer->norms[i - 6].components;
         limits->range[i] = range_of(answer, i);
-        limits->accuracy[i] = answer->accuracy[i];
-        limits->beyond[i] = answer->accuracy[i] + answer->components[i].remainder;
+        limits->accuracy[i] = accuracy_of(answer, i);
+        limits->beyond[i] = accuracy_of(answer, i) + answer_predicted(answer, i)->remainder;
     }
 }
 
-static void report_component(const tally *tally, const tally_limits *limits, size_t i, armtol_verified *component)
+static void report_measure(const tally *tally, const tally_limits *limits, size_t i, armtol_verified *of)
 {
-    component->worst_drawn = fmax(tally->worst[i], 0);
-    component->worst_arm = tally->worst_arm[i];
+    of->worst_drawn = fmax(tally->worst[i], 0);
+    of->worst_arm = tally->worst_arm[i];
     for (size_t n = 0; n < ARMTOL_QUANTILES; n++) {
-        component->quantiles[n] = tally_quantile(tally, limits, i, shares[n]);
+        of->quantiles[n] = tally_quantile(tally, limits, i, shares[n]);
     }
 }
 
 /* What was drawn without the parameters that it depends on says nothing. */
-static void forget_component(armtol_verified *component)
+static void forget_measure(armtol_verified *of)
 {
-    *component = (armtol_verified){.worst_drawn = (double)NAN, .worst_corner = (double)NAN};
+    *of = (armtol_verified){.worst_drawn = (double)NAN, .worst_corner = (double)NAN};
     for (size_t n = 0; n < ARMTOL_QUANTILES; n++) {
-        component->quantiles[n] = (double)NAN;
+        of->quantiles[n] = (double)NAN;
     }
 }
 
@@ -91,11 +106,12 @@ void verification_report(const armtol_answer *answer, const tally *tally, const 
     for (size_t n = 0; n < ARMTOL_QUANTILES; n++) {
         found->probabilities[n] = shares[n] / 1000.0;
     }
-    for (size_t i = 0; i < 6; i++) {
+    for (size_t i = 0; i < measures_of(answer); i++) {
+        armtol_verified *of = i < 6 ? &found->components[i] : &found->norms[i - 6];
         if (is_unbounded(answer, i)) {
-            forget_component(&found->components[i]);
+            forget_measure(of);
         } else {
-            report_component(tally, limits, i, &found->components[i]);
+            report_measure(tally, limits, i, of);
         }
     }
 }
@@ -105,7 +121,7 @@ static armtol_status search_and_draw(const armtol_answer *answer, const armtol_d
 {
     armtol_draw arms = *draw;
     tally_limits limits;
-    if (!search_corners(answer, draw, errors, found->components)) {
+    if (!search_corners(answer, draw, errors, found)) {
         arms.samples = 0;
     }
     verification_limits(answer, &limits);
@@ -122,7 +138,7 @@ static armtol_fault verify(const armtol_answer *answer, const armtol_draw *draw,
     if (unbounded.status != ARMTOL_OK) {
         return unbounded;
     }
-    double *errors = calloc(answer->n_columns, sizeof *errors);
+    double *errors = calloc(answer->n_columns, 2 * sizeof *errors);
     tally *tally = malloc(sizeof *tally);
     const armtol_status status =
         errors != NULL && tally != NULL ? search_and_draw(answer, draw, errors, tally, found) : ARMTOL_NO_MEMORY;

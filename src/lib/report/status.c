@@ -25,6 +25,7 @@ const char *armtol_status_text(armtol_status status)
         [ARMTOL_BAD_LOAD] = "a mass, a drive or a compensated share is out of range, or nothing loads a compliance",
         [ARMTOL_BAD_RANGE] = "a tolerance's range is none, or none that this method keeps to",
         [ARMTOL_NOTHING_LEFT] = "what is given exceeds the accuracy by itself",
+        [ARMTOL_BAD_NORM] = "a norm is not one of two or three lengths or angles, or this method has none",
     };
     const size_t index = (size_t)status;
     return index < ARMTOL_STATUS_COUNT ? texts[index] : "unknown status";

@@ -44,11 +44,13 @@ int page_verify_begin(int argc, char *argv[])
     const armtol_fault fault = verification_check(asked.answer);
     if (fault.status != ARMTOL_OK) {
         message("--verify: the tolerances leave %s without a bound; expected finite ones for all that it depends on",
-                armtol_component_name(fault.number));
+                fault.about == ARMTOL_ABOUT_NORM
+                    ? armtol_norm_name(asked.answer->norms[fault.number].components)
+                    : armtol_component_name(fault.number));
         return EXIT_WRONG;
     }
     verification_limits(asked.answer, &asked.limits);
-    tally_start(&asked.counted);
+    tally_start(&asked.counted, asked.limits.n_measures);
     return EXIT_OK;
 }
 
@@ -70,7 +72,7 @@ void *page_verify_counted(void)
 
 int page_verify_size(void)
 {
-    return (int)sizeof asked.counted;
+    return (int)tally_size(&asked.counted);
 }
 
 void page_verify_add(const void *counted)
@@ -83,12 +85,12 @@ int page_verify_end(void)
     armtol_verification found = {0};
     const armtol_draw draw = {.seed = asked.options.seed, .n_threads = 1};
     findings findings = {&asked.request, asked.answer, NULL, &found};
-    double *errors = calloc(asked.answer->n_columns, sizeof *errors);
+    double *errors = calloc(asked.answer->n_columns, 2 * sizeof *errors);
     if (errors == NULL) {
         out_of_memory();
         return EXIT_FAILED;
     }
-    search_corners(asked.answer, &draw, errors, found.components);
+    search_corners(asked.answer, &draw, errors, &found);
     free(errors);
     verification_report(asked.answer, &asked.counted, &asked.limits, &found);
     const bool fine = asked.options.format == OUTPUT_JSON  ? output_json(&findings)

@@ -113,15 +113,19 @@ static void test_memory_that_an_answer_is_refused(void)
     armtol_question wish = one.question;
     wish.accuracy = accuracy;
     wish.tolerances = NULL;
+    armtol_question round = wish;
+    round.norms = (const armtol_norm[]){{003, 0.9}, {070, 1}};
+    round.n_norms = 2;
     for (memory_lack lack = 0; lack < LACKS; lack++) {
-        TEST_ASSERT_EQUAL_INT(14, count_failures_of_answers(&one.question, lack));
-        TEST_ASSERT_EQUAL_INT(24, count_failures_of_answers(&wish, lack));
+        TEST_ASSERT_EQUAL_INT(15, count_failures_of_answers(&one.question, lack));
+        TEST_ASSERT_EQUAL_INT(30, count_failures_of_answers(&wish, lack));
+        TEST_ASSERT_TRUE(count_failures_of_answers(&round, lack) > 31); /* cuts, and what they hold */
     }
 }
 
 static void test_memory_that_a_budget_is_refused(void)
 {
-    for (int had = 0; had < 2; had++) {
+    for (int had = 0; had < 3; had++) {
         armtol_budget *budget;
         memory_is_left(had, LACK_FOR_GOOD);
         const armtol_status status = armtol_budget_create(answer, &budget);

@@ -49,7 +49,7 @@ static void test_parts_count_as_the_whole(void)
     tally *sum = malloc(sizeof *sum);
     tally_limits limits;
     TEST_ASSERT_NOT_NULL(sum);
-    tally_start(sum);
+    tally_start(sum, 6);
     draw_part(answer, &one.draw, 20000, ARMS, sum);
     draw_part(answer, &one.draw, 0, 77, sum);
     draw_part(answer, &one.draw, 77, 20000, sum);
@@ -87,7 +87,7 @@ static void test_the_progress_of_a_part(void)
     armtol_answer *answer = answer_of(&one, 1);
     tally *sum = malloc(sizeof *sum);
     TEST_ASSERT_NOT_NULL(sum);
-    tally_start(sum);
+    tally_start(sum, 6);
     one.draw.progress = look_on;
     one.draw.context = &seen;
     draw_part(answer, &one.draw, 1000000, 1010000, sum);

@@ -1,0 +1,108 @@
+#include "armtol/wish/accuracy.h"
+
+#include "armtol/question.h"
+#include "console/message.h"
+#include "console/number.h"
+#include "console/word.h"
+
+#include <math.h>
+#include <string.h>
+
+bool accuracy_is_named(const char *text)
+{
+    return strchr(text, '=') != NULL;
+}
+
+/* Adds a norm that is not there yet. */
+static double *place_of_norm(named_accuracy *accuracy, unsigned components)
+{
+    size_t i = 0;
+    while (i < accuracy->n_norms && accuracy->norms[i].components != components) {
+        i++;
+    }
+    if (i == accuracy->n_norms) {
+        accuracy->norms[accuracy->n_norms++] = (armtol_norm){components, (double)INFINITY};
+    }
+    return &accuracy->norms[i].limit;
+}
+
+/* Where the number of that name goes; NULL where it is none. */
+static double *place_of(named_accuracy *accuracy, const char *name)
+{
+    for (size_t i = 0; i < 6; i++) {
+        if (strcmp(name, armtol_component_name(i)) == 0) {
+            return &accuracy->components[i];
+        }
+    }
+    const unsigned components = armtol_norm_of_name(name);
+    return components != 0 ? place_of_norm(accuracy, components) : NULL;
+}
+
+static bool take_number(const char *name, const char *text, double *value)
+{
+    const number_fault fault = number_parse(text, value);
+    if (fault != NUMBER_FINE) {
+        message("--accuracy: %s: %s %s", name, message_quote(text, &(quoted){""}), number_fault_text(fault));
+        return false;
+    }
+    if (!(*value > 0)) {
+        message("--accuracy: %s: %s is not greater than zero", name, message_quote(text, &(quoted){""}));
+    }
+    return *value > 0;
+}
+
+/* What is cut at its = . */
+static bool take_part(named_accuracy *accuracy, const char *name, const char *number)
+{
+    double *place = place_of(accuracy, name), value;
+    if (place == NULL) {
+        message("--accuracy: unknown name %s; expected dx, dy, dz, wx, wy, wz, r, xy, xz, yz, w, wxy, wxz or wyz",
+                message_quote(name, &(quoted){""}));
+        return false;
+    }
+    if (isfinite(*place)) {
+        message("--accuracy: %s is given twice; expected once", name);
+        return false;
+    }
+    if (!take_number(name, number, &value)) {
+        return false;
+    }
+    *place = value;
+    return true;
+}
+
+static bool take_word(named_accuracy *accuracy, char word[WORD])
+{
+    char *sign = strchr(word, '=');
+    if (sign == NULL) {
+        message("--accuracy: %s is no NAME=NUMBER; expected names for all numbers, or six numbers without",
+                message_quote(word, &(quoted){""}));
+        return false;
+    }
+    *sign = '\0';
+    return take_part(accuracy, word, sign + 1);
+}
+
+bool accuracy_parse(const char *text, named_accuracy *accuracy)
+{
+    *accuracy = (named_accuracy){.n_norms = 0};
+    for (size_t i = 0; i < 6; i++) {
+        accuracy->components[i] = (double)INFINITY;
+    }
+    for (;; text++) {
+        char word[WORD];
+        text += strspn(text, " ");
+        if (!word_take(&text, ", ", word)) {
+            message("--accuracy: %s is too long", message_quote(word, &(quoted){""}));
+            return false;
+        }
+        text += strspn(text, " ");
+        if (!take_word(accuracy, word)) {
+            return false;
+        }
+        if (*text == '\0') {
+            return true;
+        }
+        text -= *text != ','; /* blanks alone set apart, too */
+    }
+}

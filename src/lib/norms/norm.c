@@ -1,0 +1,223 @@
+#include "armtol/norm.h"
+
+#include "lib/norms/farthest_ellipsoid.h"
+#include "lib/norms/farthest_vertex.h"
+
+#include <math.h>
+#include <string.h>
+
+/* ---- names ---- */
+
+static const struct {
+    const char *name;
+    unsigned components;
+} names[ARMTOL_MOST_NORMS] = {{"r", 007},  {"xy", 003},  {"xz", 005},  {"yz", 006},
+                              {"w", 070}, {"wxy", 030}, {"wxz", 050}, {"wyz", 060}};
+
+const char *armtol_norm_name(unsigned components)
+{
+    size_t i = 0;
+    while (i < ARMTOL_MOST_NORMS && names[i].components != components) {
+        i++;
+    }
+    return i < ARMTOL_MOST_NORMS ? names[i].name : "?";
+}
+
+unsigned armtol_norm_of_name(const char *name)
+{
+    size_t i = 0;
+    while (i < ARMTOL_MOST_NORMS && strcmp(names[i].name, name) != 0) {
+        i++;
+    }
+    return i < ARMTOL_MOST_NORMS ? names[i].components : 0;
+}
+
+bool armtol_norm_is_known(unsigned components)
+{
+    return armtol_norm_name(components)[0] != '?';
+}
+
+bool armtol_norm_is_length(unsigned components)
+{
+    return components <= 7;
+}
+
+/* ---- vectors of the components that count ---- */
+
+static bool counts(unsigned components, size_t i)
+{
+    return (components >> i & 1) != 0;
+}
+
+/* Where the first of them is, in rows of A: 0 or 3. */
+static size_t first_of(unsigned components)
+{
+    return armtol_norm_is_length(components) ? 0 : 3;
+}
+
+double armtol_norm_of(const double error[6], unsigned components)
+{
+    double largest = 0, sum = 0;
+    for (size_t i = 0; i < 6; i++) {
+        largest = counts(components, i) ? fmax(largest, fabs(error[i])) : largest;
+    }
+    if (largest == 0 || isinf(largest)) {
+        return largest;
+    }
+    for (size_t i = 0; i < 6; i++) {
+        const double part = counts(components, i) ? error[i] / largest : 0;
+        sum += part * part;
+    }
+    return largest * sqrt(sum);
+}
+
+void armtol_norm_row(const double matrix[], size_t n_columns, const double direction[6], double row[])
+{
+    memset(row, 0, n_columns * sizeof *row);
+    for (size_t i = 0; i < 6; i++) {
+        for (size_t k = 0; k < n_columns && direction[i] != 0; k++) {
+            row[k] += direction[i] * matrix[i * n_columns + k];
+        }
+    }
+}
+
+/* One A and one norm, and what is looked at of them. */
+typedef struct sight {
+    const double *matrix;
+    size_t n_columns;
+    unsigned components;
+    const double *shifts, *tolerances;
+    double scale;     /* the largest number among shift and columns times tolerances */
+    double center[3]; /* A shifts, in scales */
+} sight;
+
+static void column_of(const sight *sight, size_t k, double vector[3])
+{
+    const size_t first = first_of(sight->components);
+    for (size_t i = 0; i < 3; i++) {
+        const double element = sight->matrix[(first + i) * sight->n_columns + k];
+        vector[i] = counts(sight->components, first + i) ? element : 0;
+    }
+}
+
+static double largest_of(const double vector[3])
+{
+    return fmax(fabs(vector[0]), fmax(fabs(vector[1]), fabs(vector[2])));
+}
+
+/* Finds scale and center. False where the scale is 0 or not finite: it is the norm then. */
+static bool look(sight *sight)
+{
+    double column[3];
+    memset(sight->center, 0, sizeof sight->center);
+    sight->scale = 0;
+    for (size_t k = 0; k < sight->n_columns; k++) {
+        column_of(sight, k, column);
+        const double largest = largest_of(column);
+        sight->scale = fmax(sight->scale, largest == 0 ? 0 : largest * sight->tolerances[k]);
+        for (int i = 0; i < 3 && sight->shifts != NULL; i++) {
+            sight->center[i] += column[i] * sight->shifts[k];
+        }
+    }
+    sight->scale = fmax(sight->scale, largest_of(sight->center));
+    for (int i = 0; i < 3; i++) {
+        sight->center[i] /= sight->scale;
+    }
+    return sight->scale > 0 && isfinite(sight->scale);
+}
+
+/* In scales; false for a column that does nothing. */
+static bool generator_of(const sight *sight, size_t k, double generator[3])
+{
+    const double tolerance = sight->tolerances[k];
+    column_of(sight, k, generator);
+    if (largest_of(generator) == 0 || tolerance == 0) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        generator[i] = generator[i] * tolerance / sight->scale;
+    }
+    return largest_of(generator) > 0;
+}
+
+/* The norm of a point, and its direction; of either sign the one whose first part is positive. */
+static double told(const sight *sight, const double point[3], double direction[6])
+{
+    const size_t first = first_of(sight->components);
+    const double norm = sqrt(point[0] * point[0] + point[1] * point[1] + point[2] * point[2]);
+    double sign = 0;
+    for (size_t i = 0; i < 3; i++) {
+        sign = sign != 0 || point[i] == 0 ? sign : point[i] < 0 ? -1 : 1;
+        direction[first + i] = norm > 0 && point[i] != 0 ? sign * point[i] / norm : 0;
+    }
+    return norm * sight->scale;
+}
+
+/* ---- worst case ---- */
+
+size_t armtol_norm_workspace(size_t n_columns)
+{
+    return 6 * (n_columns + 1);
+}
+
+/* Generators, the center as one of them; returns how many. */
+static size_t gather(const sight *sight, double generators[])
+{
+    size_t n = 0;
+    for (size_t k = 0; k < sight->n_columns; k++) {
+        n += generator_of(sight, k, generators + 3 * n);
+    }
+    if (largest_of(sight->center) > 0) {
+        memcpy(generators + 3 * n++, sight->center, sizeof sight->center);
+    }
+    return n;
+}
+
+/* The component that a norm of two leaves out; -1 for one of three. */
+static int left_out(unsigned components)
+{
+    const size_t first = first_of(components);
+    for (int i = 0; i < 3; i++) {
+        if (!counts(components, first + (size_t)i)) {
+            return i;
+        }
+    }
+    return -1;
+}
+
+double armtol_worst_norm(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
+                         const double tolerances[], double direction[6], double workspace[])
+{
+    sight sight = {matrix, n_columns, components, shifts, tolerances, 0, {0, 0, 0}};
+    double vertex[3];
+    memset(direction, 0, 6 * sizeof *direction);
+    if (!look(&sight)) {
+        return sight.scale;
+    }
+    double *const generators = workspace;
+    const size_t n = gather(&sight, generators);
+    farthest_vertex(generators, n, left_out(components), (crossing *)(void *)(workspace + 3 * n), vertex);
+    return told(&sight, vertex, direction);
+}
+
+/* ---- standard deviations ---- */
+
+double armtol_rss_norm(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
+                       const double tolerances[], double factor, double direction[6])
+{
+    sight sight = {matrix, n_columns, components, shifts, tolerances, 0, {0, 0, 0}};
+    double squares[3][3] = {{0}}, generator[3], point[3];
+    memset(direction, 0, 6 * sizeof *direction);
+    if (!look(&sight)) {
+        return sight.scale;
+    }
+    for (size_t k = 0; k < n_columns; k++) {
+        if (generator_of(&sight, k, generator)) {
+            for (int i = 0; i < 9; i++) {
+                squares[i / 3][i % 3] += factor * generator[i / 3] * (factor * generator[i % 3]);
+            }
+        }
+    }
+    farthest_of_ellipsoid((const double(*)[3])squares, sight.center, point);
+    return told(&sight, point, direction);
+}
