@@ -95,9 +95,10 @@ check-nlopt: tests
 # How fast the library is, beside loops written by hand: compiled for this machine, then as it comes.
 bench: setup
 	$(call quietly,$(CONFIGURE),configure)
-	$(call quietly,$(COMPILE) --target armtol_bench armtol_bench_any,compile)
+	$(call quietly,$(COMPILE) --target armtol_bench armtol_bench_any armtol_many_tallies,compile)
 	@$(BUILD)/armtol_bench
 	@$(BUILD)/armtol_bench_any
+	@$(BUILD)/tests/bench/armtol_many_tallies $(BUILD)/armtol $(BUILD) 10000
 
 # Of how many positions inverse kinematics finds joint values, for every built-in arm.
 inverse: tests

@@ -53,6 +53,7 @@
 #include "armtol/budget.h"
 #include "armtol/question.h"
 #include "armtol/share_interval.h"
+#include "armtol/tally.h"
 #include "armtol/verification.h"
 
 /* From where the tool should be to joint values, for any arm. */

@@ -1,11 +1,11 @@
 #include "1987/program.h"
 
 #include "1987/options.h"
-#include "1987/outfile.h"
 #include "1987/session.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 #include "console/rounding.h"
+#include "files/outfile.h"
 
 #include <signal.h>
 

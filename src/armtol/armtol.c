@@ -6,6 +6,8 @@
 #include "armtol/ask/options.h"
 #include "armtol/ask/request.h"
 #include "armtol/ask/watched.h"
+#include "armtol/cluster/merge.h"
+#include "armtol/cluster/shard.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tell/arm_list.h"
 #include "armtol/tell/branches.h"
@@ -13,13 +15,17 @@
 #include "armtol/tell/laying.h"
 #include "armtol/tell/output.h"
 #include "console/exit_code.h"
+#include "console/flags.h"
 #include "console/message.h"
 #include "console/rounding.h"
 
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
+
+static char program_name[] = "armtol";
 
 static size_t threads_of(const cli_options *options)
 {
@@ -27,19 +33,8 @@ static size_t threads_of(const cli_options *options)
     return options->threads != 0 ? options->threads : processors > 0 ? (size_t)processors : 1;
 }
 
-/* A component, or a norm, that has to keep to an accuracy. */
-static void say_unbounded(const armtol_answer *answer, const armtol_fault *fault)
-{
-    const bool is_norm = fault->about == ARMTOL_ABOUT_NORM;
-    const char *name = is_norm ? armtol_norm_name(answer->norms[fault->number].components)
-                               : armtol_component_name(fault->number);
-    message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends on, or %s "
-            "in --accuracy",
-            name, name, is_norm ? "none for it" : "- in its place");
-}
-
-/* An exit code, after a message. */
-static int verify(const request *request, const armtol_answer *answer, armtol_verification *found)
+/* The arms drawn here, or those that others drew. An exit code, after a message. */
+static int verify(const request *request, const armtol_answer *answer, const merged *merged, armtol_verification *found)
 {
     const armtol_draw draw = {
         .samples = request->options->verify,
@@ -47,11 +42,11 @@ static int verify(const request *request, const armtol_answer *answer, armtol_ve
         .n_threads = threads_of(request->options),
     };
     armtol_fault fault;
-    const armtol_status status = watched_verify(answer, &draw, found, &fault);
-    if (status == ARMTOL_UNBOUNDED) {
-        say_unbounded(answer, &fault);
+    if (merged != NULL && !merged_is_of(merged, answer)) {
         return EXIT_WRONG;
     }
+    const armtol_status status = merged != NULL ? watched_tally_verify(answer, &draw, merged->tally, found, &fault)
+                                                : watched_verify(answer, &draw, found, &fault);
     return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }
 
@@ -67,13 +62,13 @@ static bool print(const findings *findings)
     }
 }
 
-static int tell(const request *request, const armtol_answer *answer)
+static int tell(const request *request, const armtol_answer *answer, const merged *merged)
 {
     armtol_budget *budget = NULL;
     armtol_verification found;
     findings findings = {request, answer, NULL, NULL};
     if (request->options->verify != 0) {
-        const int code = verify(request, answer, &found);
+        const int code = verify(request, answer, merged, &found);
         if (code != EXIT_OK) {
             return code;
         }
@@ -89,25 +84,26 @@ static int tell(const request *request, const armtol_answer *answer)
     return fine ? EXIT_OK : EXIT_FAILED;
 }
 
-static int answer_request(const request *request)
+static int answer_request(const request *request, const merged *merged)
 {
     armtol_answer *answer;
     int code = request_answer(request, &answer);
     if (code == EXIT_OK) {
-        code = tell(request, answer);
+        const bool shard = request->options->shard != 0 && merged == NULL;
+        code = shard ? shard_run(request, answer, threads_of(request->options)) : tell(request, answer, merged);
         armtol_answer_destroy(answer);
     }
     return code;
 }
 
-static int run(const cli_options *options, const arm_model *model)
+static int run(const cli_options *options, const arm_model *model, const merged *merged)
 {
     request request;
     const int code = request_make(&request, options, model);
     if (code != EXIT_OK) {
         return code;
     }
-    const int ended = against_is_asked(options) ? against_run(&request, model) : answer_request(&request);
+    const int ended = against_is_asked(options) ? against_run(&request, model) : answer_request(&request, merged);
     request_free(&request);
     return ended;
 }
@@ -144,7 +140,8 @@ static int show(arm_model *model, const cli_options *options)
     return fine ? EXIT_OK : EXIT_FAILED;
 }
 
-static int with_arm(const cli_options *options)
+/* merged NULL: whatever has to be drawn is drawn here. */
+static int with_arm(const cli_options *options, const merged *merged)
 {
     arm_model model;
     int code = arm_source_read(options, &model);
@@ -153,7 +150,7 @@ static int with_arm(const cli_options *options)
     }
     code = options->action == CLI_SHOW       ? show(&model, options)
            : options->action == CLI_BRANCHES ? list_branches(options, &model)
-                                             : run(options, &model);
+                                             : run(options, &model, merged);
     arm_model_free(&model);
     return code;
 }
@@ -177,16 +174,79 @@ static int act(const cli_options *options)
     case CLI_LINKS:
         return arm_source_draw(options);
     default:
-        return with_arm(options);
+        return with_arm(options, NULL);
     }
+}
+
+/* The command that the tallies have in them, with their arms in place of arms to be drawn. */
+static int tell_merged(const merged *merged)
+{
+    cli_options options;
+    char **words = calloc(merged->head.n_words + 2, sizeof *words);
+    if (words == NULL) {
+        out_of_memory();
+        return EXIT_FAILED;
+    }
+    words[0] = program_name;
+    memcpy(words + 1, merged->head.words, merged->head.n_words * sizeof *words);
+    int code = cli_options_parse((int)merged->head.n_words + 1, words, &options);
+    if (code == EXIT_OK && !merged_is_asked(merged, &options)) {
+        code = EXIT_WRONG;
+    }
+    if (code == EXIT_OK) {
+        code = with_arm(&options, merged);
+    }
+    free(words);
+    return code;
+}
+
+/* What begins with a hyphen is an option, of which there are none: ./-NAME is a file. */
+static bool check_paths(int n_paths, char *const paths[])
+{
+    if (n_paths == 0) {
+        message("merge: the tallies are missing; expected armtol merge FILE...");
+        return false;
+    }
+    for (int i = 0; i < n_paths; i++) {
+        if (paths[i][0] == '-') {
+            return flags_wrong("unknown option of merge", paths[i]);
+        }
+    }
+    return true;
+}
+
+static int merge(int n_paths, char *paths[])
+{
+    merged merged;
+    if (n_paths == 1 && strcmp(paths[0], "--help") == 0) {
+        cli_help();
+        return EXIT_OK;
+    }
+    if (!check_paths(n_paths, paths)) {
+        return EXIT_WRONG;
+    }
+    int code = merge_files(paths, (size_t)n_paths, &merged);
+    if (code == EXIT_OK) {
+        code = tell_merged(&merged);
+        merged_free(&merged);
+    }
+    return code;
+}
+
+static int obey(int argc, char *argv[])
+{
+    cli_options options;
+    if (argc > 1 && strcmp(argv[1], "merge") == 0) {
+        return merge(argc - 2, argv + 2);
+    }
+    const int code = cli_options_parse(argc, argv, &options);
+    return code == EXIT_OK ? act(&options) : code;
 }
 
 int main(int argc, char *argv[])
 {
-    cli_options options;
     rounding_to_double();
     message_start("armtol");
     signal(SIGXFSZ, SIG_IGN); /* a file size limit is then a failed write, with a message */
-    const int code = cli_options_parse(argc, argv, &options);
-    return exit_code_of_output(code == EXIT_OK ? act(&options) : code);
+    return exit_code_of_output(obey(argc, argv));
 }

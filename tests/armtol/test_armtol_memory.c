@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include <stddef.h>
+#include <stdio.h>
 
 /* The main of armtol.c, which is compiled into this program under that name. */
 int armtol_main(int argc, char *argv[]);
@@ -50,6 +51,24 @@ static void test_another_arm(void)
     check_short_main(armtol_main, (const char *const[]){POSED, "--against", "ur5e", NULL}, 8);
 }
 
+/* The tallies are drawn once; then the one is found to be there, and both are merged. */
+static void test_tallies(void)
+{
+    static const char *const shards[2][18] = {
+        {ASKED, "--verify", "10", "--threads", "1", "--shard", "1/2", "--tally", "memory_1.tally", NULL},
+        {ASKED, "--verify", "10", "--threads", "1", "--shard", "2/2", "--tally", "memory_2.tally", NULL},
+    };
+    for (int i = 0; i < 2; i++) {
+        remove(shards[i][14]);
+        check_main_ends_well(armtol_main, shards[i]);
+    }
+    check_short_main(armtol_main, shards[0], 8);
+    check_short_main(armtol_main, (const char *const[]){"armtol", "merge", "memory_1.tally", "memory_2.tally", NULL},
+                     20);
+    remove(shards[0][14]);
+    remove(shards[1][14]);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -57,5 +76,6 @@ int main(void)
     RUN_TEST(test_positions);
     RUN_TEST(test_no_answer);
     RUN_TEST(test_another_arm);
+    RUN_TEST(test_tallies);
     return UNITY_END();
 }

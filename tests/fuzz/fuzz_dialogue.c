@@ -7,7 +7,7 @@
 #include "fuzz/require.h"
 
 #include "1987/options.h"
-#include "1987/outfile.h"
+#include "files/outfile.h"
 #include "1987/report.h"
 #include "1987/session.h"
 #include "console/exit_code.h"

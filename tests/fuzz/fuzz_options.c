@@ -70,6 +70,9 @@ static void check_question(const cli_options *options)
     REQUIRE(options->delta == NULL || options->method == ARMTOL_METHOD_SPHERE);
     REQUIRE(options->format != OUTPUT_CSV || (!options->budget && options->verify == 0));
     REQUIRE((!options->seed_given && options->threads == 0) || options->verify != 0);
+    REQUIRE((options->shard != 0) == (options->tally != NULL) && (options->shard != 0) == (options->n_shards != 0));
+    REQUIRE(options->shard <= options->n_shards && options->n_shards <= MOST_SHARDS);
+    REQUIRE(options->n_shards <= options->verify);
 }
 
 static int check_armtol(command_line *line)
@@ -79,7 +82,7 @@ static int check_armtol(command_line *line)
     if (code == EXIT_OK) {
         const char *const texts[] = {options.arm,         options.base,    options.tip,   options.joints,
                                      options.poses,       options.accuracy, options.delta, options.weights,
-                                     options.tool_offset, options.tolerances};
+                                     options.tool_offset, options.tolerances, options.tally};
         for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
             REQUIRE(is_typed(line, texts[i]));
         }

@@ -3,7 +3,7 @@
  * terminal. Built with the linker's --wrap.
  */
 
-#include "1987/outfile.h"
+#include "files/outfile.h"
 #include "1987/program.h"
 #include "console/exit_code.h"
 

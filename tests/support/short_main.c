@@ -81,6 +81,14 @@ void check_main_without_descriptors(main_routine *entry, const char *const argum
     TEST_ASSERT_EQUAL_STRING(message, said.text);
 }
 
+void check_main_ends_well(main_routine *entry, const char *const arguments[])
+{
+    said said;
+    const int code = run_once(entry, arguments, &said);
+    TEST_ASSERT_EQUAL_STRING("", said.text);
+    TEST_ASSERT_EQUAL_INT(EXIT_OK, code);
+}
+
 /* Whether it came to its end: without a word, or refusing what the refusal begins with. */
 static bool ends(int code, const said *said, const char *refusal)
 {

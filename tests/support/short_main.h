@@ -16,6 +16,9 @@ void check_short_main(main_routine *entry, const char *const arguments[], long l
 /* The same of what is wrong: the message that this is begins with `refusal`. */
 void check_short_refused(main_routine *entry, const char *const arguments[], const char *refusal, long least);
 
+/* With all the memory that it asks for it ends with EXIT_OK, and says nothing on standard error. */
+void check_main_ends_well(main_routine *entry, const char *const arguments[]);
+
 /*
  * It has to end with EXIT_FAILED and say that `file` cannot be opened where no descriptor is to be had. A program keeps
  * in mind that the machine has failed: to be called before the others.

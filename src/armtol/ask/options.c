@@ -6,13 +6,13 @@
 #include "console/flags.h"
 #include "console/message.h"
 #include "console/number.h"
+#include "console/word.h"
 
 #include <string.h>
 
 enum { MOST_THREADS = 1024 };
 #define DEFAULT_SIGMA 3.0
 #define DEFAULT_SEED 1987
-#define MOST_ARMS 1000000000000u
 
 enum {
     OPTION_JOINTS = 256,
@@ -48,6 +48,8 @@ enum {
     OPTION_VERIFY,
     OPTION_SEED,
     OPTION_THREADS,
+    OPTION_SHARD,
+    OPTION_TALLY,
     OPTION_BASE,
     OPTION_TIP,
     OPTION_SNAP,
@@ -96,6 +98,8 @@ static const struct option long_options[] = {
     {"verify", required_argument, NULL, OPTION_VERIFY},
     {"seed", required_argument, NULL, OPTION_SEED},
     {"threads", required_argument, NULL, OPTION_THREADS},
+    {"shard", required_argument, NULL, OPTION_SHARD},
+    {"tally", required_argument, NULL, OPTION_TALLY},
     {"base", required_argument, NULL, OPTION_BASE},
     {"tip", required_argument, NULL, OPTION_TIP},
     {"snap", required_argument, NULL, OPTION_SNAP},
@@ -167,6 +171,21 @@ static bool take_threads(const char *text, size_t *threads)
     uint64_t value;
     const bool fine = whole_number_parse("--threads", text, 1, MOST_THREADS, &value);
     *threads = fine ? (size_t)value : 0;
+    return fine;
+}
+
+/* "I/N" */
+static bool take_shard(const char *text, cli_options *options)
+{
+    char shard[WORD];
+    const char *at = text;
+    const bool fine = word_take(&at, "/", shard) && *at == '/' &&
+                      whole_number_of(at + 1, 1, MOST_SHARDS, &options->n_shards) &&
+                      whole_number_of(shard, 1, options->n_shards, &options->shard);
+    if (!fine) {
+        message("--shard: %s is no shard; expected I/N, I from 1 to N and N at most %u",
+                message_quote(text, &(quoted){""}), MOST_SHARDS);
+    }
     return fine;
 }
 
@@ -359,6 +378,10 @@ static bool take_one(int option, const char *argument, void *context)
         return whole_number_parse("--seed", argument, 0, UINT64_MAX, &options->seed);
     case OPTION_THREADS:
         return take_threads(argument, &options->threads);
+    case OPTION_SHARD:
+        return take_shard(argument, options);
+    case OPTION_TALLY:
+        return take_text(argument, &options->tally);
     case OPTION_JSON:
         return take_format(OUTPUT_JSON, options);
     case OPTION_CSV:
@@ -441,6 +464,14 @@ static const char *fault_of_comparison(const cli_options *options)
     return options->format == OUTPUT_CSV ? "--csv writes tolerances only; expected --json, or nothing" : NULL;
 }
 
+static const char *fault_of_shard(const cli_options *options)
+{
+    if ((options->shard != 0) != (options->tally != NULL) || (options->shard != 0 && options->verify == 0)) {
+        return "--shard I/N and --tally FILE go together, with --verify N";
+    }
+    return options->n_shards > options->verify ? "--shard: more shards than arms to draw" : NULL;
+}
+
 /* What is missing, or contradicts itself; NULL where nothing is. */
 static const char *fault_of_poses(const cli_options *options)
 {
@@ -509,13 +540,17 @@ static const char *fault_of(const cli_options *options)
     if (options->action == CLI_SHOW || options->action == CLI_LINKS) {
         return NULL;
     }
-    const char *fault = fault_of_poses(options);
+    const char *fault = fault_of_shard(options);
+    fault = fault != NULL ? fault : fault_of_poses(options);
     return fault != NULL || options->action == CLI_BRANCHES ? fault : fault_of_question(options);
 }
 
 int cli_options_parse(int argc, char *argv[], cli_options *options)
 {
     *options = (cli_options){.snap = ARMTOL_USUAL_SNAP, .sigma = DEFAULT_SIGMA, .seed = DEFAULT_SEED};
+    options->words = argv + (argc > 0);
+    options->n_words = (size_t)(argc - (argc > 0));
+    optind = 1; /* it may not be the first command line that is read */
     if (!read_all(argc, argv, options)) {
         return EXIT_WRONG;
     }

@@ -10,6 +10,9 @@
 
 enum { MOST_PAYLOADS = 64, MOST_AT = 64 };
 
+#define MOST_ARMS 1000000000000u
+#define MOST_SHARDS 1000000u
+
 typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_LINKS, CLI_BRANCHES, CLI_HELP, CLI_VERSION } cli_action;
 
 typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
@@ -59,7 +62,11 @@ typedef struct cli_options {
     uint64_t seed;
     bool seed_given;
     size_t threads; /* 0: as many as there are processors */
+    uint64_t shard, n_shards; /* shard 1 to n_shards, 0 for all arms; with it: */
+    const char *tally;        /* the file for its counts */
     output_format format;
+    char **words; /* as typed, without the program's name */
+    size_t n_words;
     uint64_t seen; /* a bit for every option that has been read */
 } cli_options;
 

@@ -410,6 +410,17 @@ void request_free(request *request)
 
 /* ---- the answer ---- */
 
+/* A component, or a norm, that has to keep to an accuracy. */
+static void say_unbounded(const request *request, const armtol_fault *fault)
+{
+    const bool is_norm = fault->about == ARMTOL_ABOUT_NORM;
+    const char *name = is_norm ? armtol_norm_name(request->norms[fault->number].components)
+                               : armtol_component_name(fault->number);
+    message("--verify: the tolerances leave %s without a bound; expected finite ones for all that %s depends on, or %s "
+            "in --accuracy",
+            name, name, is_norm ? "none for it" : "- in its place");
+}
+
 int request_failed(const request *request, const armtol_fault *fault)
 {
     const char *text = armtol_status_text(fault->status);
@@ -419,6 +430,10 @@ int request_failed(const request *request, const armtol_fault *fault)
     }
     if (fault->status == ARMTOL_NOTHING_LEFT) {
         return nothing_left(request, fault);
+    }
+    if (fault->status == ARMTOL_UNBOUNDED) {
+        say_unbounded(request, fault);
+        return EXIT_WRONG;
     }
     if (fault->about == ARMTOL_ABOUT_DRIVES) {
         message("the drive of %s: nothing says what loads its compliance; expected masses in the arm's table, "

@@ -15,18 +15,53 @@ static bool look_on(void *context, uint64_t done, uint64_t total)
     return !interrupt_came();
 }
 
+typedef struct watch {
+    progress bar;
+    struct sigaction before;
+    armtol_draw draw; /* with somebody who looks on */
+} watch;
+
+static void begin(watch *watch, const armtol_draw *draw)
+{
+    watch->draw = *draw;
+    watch->draw.progress = look_on;
+    watch->draw.context = &watch->bar;
+    progress_start(&watch->bar, "arms", draw->samples);
+    interrupt_watch(&watch->before);
+}
+
+static void end(watch *watch)
+{
+    interrupt_restore(&watch->before);
+    progress_end(&watch->bar);
+}
+
 armtol_status watched_verify(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found,
                              armtol_fault *fault)
 {
-    progress bar;
-    struct sigaction before;
-    armtol_draw watched = *draw;
-    watched.progress = look_on;
-    watched.context = &bar;
-    progress_start(&bar, "arms", draw->samples);
-    interrupt_watch(&before);
-    const armtol_status status = armtol_verify(answer, &watched, found, fault);
-    interrupt_restore(&before);
-    progress_end(&bar);
+    watch watch;
+    begin(&watch, draw);
+    const armtol_status status = armtol_verify(answer, &watch.draw, found, fault);
+    end(&watch);
+    return status;
+}
+
+armtol_status watched_tally_draw(const armtol_answer *answer, const armtol_draw *draw, uint64_t first,
+                                 armtol_tally *tally, armtol_fault *fault)
+{
+    watch watch;
+    begin(&watch, draw);
+    const armtol_status status = armtol_tally_draw(answer, &watch.draw, first, tally, fault);
+    end(&watch);
+    return status;
+}
+
+armtol_status watched_tally_verify(const armtol_answer *answer, const armtol_draw *draw, const armtol_tally *tally,
+                                   armtol_verification *found, armtol_fault *fault)
+{
+    watch watch;
+    begin(&watch, draw);
+    const armtol_status status = armtol_tally_verify(answer, &watch.draw, tally, found, fault);
+    end(&watch);
     return status;
 }

@@ -1,6 +1,7 @@
 #ifndef ARMTOL_ASK_WATCHED_H
 #define ARMTOL_ASK_WATCHED_H
 
+#include "armtol/tally.h"
 #include "armtol/verification.h"
 
 /*
@@ -10,5 +11,11 @@
  */
 armtol_status watched_verify(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found,
                              armtol_fault *fault);
+
+/* armtol_tally_draw and armtol_tally_verify in the same way. */
+armtol_status watched_tally_draw(const armtol_answer *answer, const armtol_draw *draw, uint64_t first,
+                                 armtol_tally *tally, armtol_fault *fault);
+armtol_status watched_tally_verify(const armtol_answer *answer, const armtol_draw *draw, const armtol_tally *tally,
+                                   armtol_verification *found, armtol_fault *fault);
 
 #endif

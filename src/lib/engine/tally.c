@@ -18,7 +18,7 @@ void tally_start(tally *tally, size_t n_measures)
 
 size_t tally_size(const tally *tally)
 {
-    return offsetof(struct tally, bins) + (size_t)tally->n_measures * sizeof tally->bins[0];
+    return offsetof(struct armtol_tally, bins) + (size_t)tally->n_measures * sizeof tally->bins[0];
 }
 
 /*

@@ -2,6 +2,7 @@
 #define ARMTOL_LIB_ENGINE_TALLY_H
 
 #include "armtol/norm.h"
+#include "armtol/tally.h"
 #include "lib/private_names.h"
 
 #include <stddef.h>
@@ -33,7 +34,7 @@ typedef struct tally_limits {
     double beyond[TALLY_MEASURES];   /* more than this is beyond the accuracy and the remainder */
 } tally_limits;
 
-typedef struct tally {
+typedef struct armtol_tally {
     uint64_t n_measures;
     uint64_t drawn, within, beyond;
     double worst[TALLY_MEASURES];       /* -1 before the first arm */

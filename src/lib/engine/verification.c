@@ -1,6 +1,7 @@
 #include "lib/engine/verification_parts.h"
 
 #include "armtol/share_interval.h"
+#include "armtol/tally.h"
 #include "lib/engine/check.h"
 #include "lib/engine/corner_search.h"
 #include "lib/engine/draw.h"
@@ -9,6 +10,7 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdbool.h>
 #include <stdlib.h>
 
 /* In thousandths. */
@@ -116,34 +118,58 @@ void verification_report(const armtol_answer *answer, const tally *tally, const 
     }
 }
 
-static armtol_status search_and_draw(const armtol_answer *answer, const armtol_draw *draw, double errors[],
-                                     tally *tally, armtol_verification *found)
+/* Corners; *all says whether none was left out. */
+static armtol_status search(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found, bool *all)
+{
+    double *errors = calloc(answer->n_columns, 2 * sizeof *errors);
+    if (errors == NULL) {
+        return ARMTOL_NO_MEMORY;
+    }
+    *all = search_corners(answer, draw, errors, found);
+    free(errors);
+    return ARMTOL_OK;
+}
+
+static armtol_status draw_range(const armtol_answer *answer, const armtol_draw *draw, uint64_t first, tally *tally)
+{
+    tally_limits limits;
+    verification_limits(answer, &limits);
+    return draw_arms(answer, draw, first, &limits, tally);
+}
+
+static void report(const armtol_answer *answer, const tally *tally, armtol_verification *found)
+{
+    tally_limits limits;
+    verification_limits(answer, &limits);
+    verification_report(answer, tally, &limits, found);
+}
+
+static armtol_status search_and_draw(const armtol_answer *answer, const armtol_draw *draw, tally *tally,
+                                     armtol_verification *found)
 {
     armtol_draw arms = *draw;
-    tally_limits limits;
-    if (!search_corners(answer, draw, errors, found)) {
-        arms.samples = 0;
-    }
-    verification_limits(answer, &limits);
-    const armtol_status status = draw_arms(answer, &arms, 0, &limits, tally);
+    bool all;
+    armtol_status status = search(answer, draw, found, &all);
     if (status == ARMTOL_OK) {
-        verification_report(answer, tally, &limits, found);
+        arms.samples = all ? draw->samples : 0;
+        status = draw_range(answer, &arms, 0, tally);
+    }
+    if (status == ARMTOL_OK) {
+        report(answer, tally, found);
     }
     return status;
 }
 
-static armtol_fault verify(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found)
+static armtol_status ended_with(armtol_fault ended, armtol_fault *fault)
 {
-    const armtol_fault unbounded = verification_check(answer);
-    if (unbounded.status != ARMTOL_OK) {
-        return unbounded;
+    if (fault != NULL) {
+        *fault = ended;
     }
-    double *errors = calloc(answer->n_columns, 2 * sizeof *errors);
-    tally *tally = malloc(sizeof *tally);
-    const armtol_status status =
-        errors != NULL && tally != NULL ? search_and_draw(answer, draw, errors, tally, found) : ARMTOL_NO_MEMORY;
-    free(errors);
-    free(tally);
+    return ended.status;
+}
+
+static armtol_fault fault_of_work(armtol_status status)
+{
     return fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_TOLERANCES, 0);
 }
 
@@ -151,9 +177,37 @@ armtol_status armtol_verify(const armtol_answer *answer, const armtol_draw *draw
                             armtol_fault *fault)
 {
     *found = (armtol_verification){0};
-    const armtol_fault ended = verify(answer, draw, found);
-    if (fault != NULL) {
-        *fault = ended;
+    armtol_fault ended = verification_check(answer);
+    if (ended.status == ARMTOL_OK) {
+        tally *tally = malloc(sizeof *tally);
+        ended = fault_of_work(tally != NULL ? search_and_draw(answer, draw, tally, found) : ARMTOL_NO_MEMORY);
+        free(tally);
     }
-    return ended.status;
+    return ended_with(ended, fault);
+}
+
+armtol_status armtol_tally_draw(const armtol_answer *answer, const armtol_draw *draw, uint64_t first,
+                                armtol_tally *tally, armtol_fault *fault)
+{
+    armtol_fault ended = verification_check(answer);
+    if (ended.status == ARMTOL_OK) {
+        armtol_tally_clear(tally); /* what is drawn leaves the measures alone that the answer has not */
+        ended = fault_of_work(draw_range(answer, draw, first, tally));
+    }
+    return ended_with(ended, fault);
+}
+
+armtol_status armtol_tally_verify(const armtol_answer *answer, const armtol_draw *draw, const armtol_tally *tally,
+                                  armtol_verification *found, armtol_fault *fault)
+{
+    bool all;
+    *found = (armtol_verification){0};
+    armtol_fault ended = verification_check(answer);
+    if (ended.status == ARMTOL_OK) {
+        ended = fault_of_work(search(answer, draw, found, &all));
+    }
+    if (ended.status == ARMTOL_OK) {
+        report(answer, tally, found);
+    }
+    return ended_with(ended, fault);
 }

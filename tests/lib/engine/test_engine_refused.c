@@ -1,6 +1,7 @@
 /* Memory and threads that the engine cannot have: a status, or fewer threads. Built with the linker's --wrap. */
 
 #include "armtol/budget.h"
+#include "armtol/tally.h"
 #include "lib/engine/one_link.h"
 #include "support/short_memory.h"
 
@@ -87,6 +88,32 @@ static void test_memory_that_a_verification_is_refused(void)
     TEST_ASSERT_TRUE(failed >= 3 && done >= 3);
 }
 
+static void test_memory_that_a_tally_is_refused(void)
+{
+    const armtol_verification expected = without_refusals();
+    armtol_tally *tally;
+    armtol_verification found;
+    armtol_fault fault;
+    memory_is_left(0, LACK_FOR_GOOD);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NO_MEMORY, armtol_tally_create(&tally));
+    memory_is_enough();
+    TEST_ASSERT_NULL(tally);
+    armtol_tally_destroy(tally);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_tally_create(&tally));
+    memory_is_left(0, LACK_FOR_GOOD);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NO_MEMORY, armtol_tally_draw(answer, &one.draw, 0, tally, &fault));
+    TEST_ASSERT_TRUE(fault.status == ARMTOL_NO_MEMORY && fault.about == ARMTOL_ABOUT_NOTHING);
+    memory_is_enough();
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_tally_draw(answer, &one.draw, 0, tally, NULL));
+    memory_is_left(0, LACK_FOR_GOOD);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NO_MEMORY, armtol_tally_verify(answer, &one.draw, tally, &found, &fault));
+    memory_is_enough();
+    TEST_ASSERT_TRUE(fault.status == ARMTOL_NO_MEMORY && fault.about == ARMTOL_ABOUT_NOTHING);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_tally_verify(answer, &one.draw, tally, &found, NULL));
+    TEST_ASSERT_EQUAL_MEMORY(&expected, &found, sizeof found);
+    armtol_tally_destroy(tally);
+}
+
 /* One after the other fails, until none does; valgrind looks whether what was had before is given back. */
 static int count_failures_of_answers(const armtol_question *question, memory_lack lack)
 {
@@ -140,6 +167,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_threads_that_are_refused_are_done_without);
     RUN_TEST(test_memory_that_a_verification_is_refused);
+    RUN_TEST(test_memory_that_a_tally_is_refused);
     RUN_TEST(test_memory_that_an_answer_is_refused);
     RUN_TEST(test_memory_that_a_budget_is_refused);
     return UNITY_END();

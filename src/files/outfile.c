@@ -1,4 +1,4 @@
-#include "1987/outfile.h"
+#include "files/outfile.h"
 
 #include "console/message.h"
 
@@ -71,15 +71,16 @@ static bool may_replace(const folder *folder, const char *name)
 }
 
 /*
- * A new file under a name of its own. One that is taken is somebody else's, a killed run's or one on another machine
- * that shares the folder and happens to have our number: it is left alone.
+ * A new file under a name of its own, the file's shortened where it is long, since a name has 255 bytes at most. One
+ * that is taken is somebody else's, a killed run's or one on another machine that shares the folder and happens to have
+ * our number: it is left alone.
  */
 static int create(const folder *folder, const outfile *file, draft *draft)
 {
     enum { TRIES = 100 };
     int descriptor = -1;
     for (int n = 0; n < TRIES && descriptor < 0; n++) {
-        snprintf(draft->name, sizeof draft->name, ".%s.%ld-%d.part", file->name, (long)getpid(), n);
+        snprintf(draft->name, sizeof draft->name, ".%.60s.%ld-%d.part", file->name, (long)getpid(), n);
         descriptor = openat(folder->descriptor, draft->name,
                             O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
         if (descriptor < 0 && errno != EEXIST) {
@@ -186,4 +187,37 @@ bool outfiles_write(const folder *folder, const outfile files[], size_t count, c
     remove_drafts(folder, drafts, count);
     sigprocmask(SIG_SETMASK, &before, NULL);
     return fine;
+}
+
+bool outfile_open(outfile_place *place, const char *path)
+{
+    const char *const slash = strrchr(path, '/'), *const name = slash != NULL ? slash + 1 : path;
+    const size_t length = slash == NULL ? 0 : slash == path ? 1 : (size_t)(slash - path);
+    const bool fits = strlen(name) < sizeof place->name && length < sizeof place->above;
+    if (*name == '\0' || !fits) {
+        message("%s: %s", path, fits ? "is no name of a file" : strerror(ENAMETOOLONG));
+        return false;
+    }
+    snprintf(place->above, sizeof place->above, "%.*s", length > 0 ? (int)length : 1, length > 0 ? path : ".");
+    snprintf(place->name, sizeof place->name, "%s", name);
+    if (!folder_open(&place->folder, place->above)) {
+        return false;
+    }
+    const bool fine = may_replace(&place->folder, place->name);
+    if (!fine) {
+        outfile_close(place);
+    }
+    return fine;
+}
+
+void outfile_close(outfile_place *place)
+{
+    folder_close(&place->folder);
+}
+
+bool outfile_write_at(const outfile_place *place, void (*write)(FILE *stream, const void *data), const void *data)
+{
+    outfile file = {.write = write};
+    memcpy(file.name, place->name, sizeof file.name);
+    return outfiles_write(&place->folder, &file, 1, data);
 }

@@ -1,5 +1,5 @@
-#ifndef ARMTOL_1987_OUTFILE_H
-#define ARMTOL_1987_OUTFILE_H
+#ifndef ARMTOL_FILES_OUTFILE_H
+#define ARMTOL_FILES_OUTFILE_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -18,9 +18,11 @@ typedef struct folder {
     int descriptor;
 } folder;
 
+enum { OUTFILE_NAME = 256 };
+
 /* A file to be: its name and what writes it. */
 typedef struct outfile {
-    char name[64];
+    char name[OUTFILE_NAME];
     void (*write)(FILE *stream, const void *data);
 } outfile;
 
@@ -30,5 +32,19 @@ void folder_close(folder *folder);
 
 /* Write them all, or none as far as said above. False after a message that names the file. */
 bool outfiles_write(const folder *folder, const outfile files[], size_t count, const void *data);
+
+/* A single file at a path, its folder open. */
+typedef struct outfile_place {
+    char above[4096]; /* the path of the folder */
+    folder folder;
+    char name[OUTFILE_NAME];
+} outfile_place;
+
+/* Whether a file can be there, found out before there is anything to write. False after a message; else to close. */
+bool outfile_open(outfile_place *place, const char *path);
+void outfile_close(outfile_place *place);
+
+/* The file, written from the data. False after a message. */
+bool outfile_write_at(const outfile_place *place, void (*write)(FILE *stream, const void *data), const void *data);
 
 #endif

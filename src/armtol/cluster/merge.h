@@ -1,0 +1,27 @@
+#ifndef ARMTOL_CLUSTER_MERGE_H
+#define ARMTOL_CLUSTER_MERGE_H
+
+#include "armtol/ask/options.h"
+#include "armtol/cluster/tally_file.h"
+
+/* All arms of a verification, counted from the tallies of its shards. */
+typedef struct merged {
+    const char *path; /* of the tally with the first arms, and its head: */
+    tally_head head;
+    armtol_tally *tally;
+} merged;
+
+/*
+ * Add up the tallies. EXIT_OK, or an exit code after a message for each that is cut, damaged, of something else, there
+ * twice, or missing; nothing is then to be freed.
+ */
+int merge_files(char *const paths[], size_t n_paths, merged *merged);
+void merged_free(merged *merged);
+
+/* Whether the command that is in the tallies asks for their arms; false after a message. */
+bool merged_is_asked(const merged *merged, const cli_options *options);
+
+/* Whether the answer is the one that the arms were drawn for; false after a message. */
+bool merged_is_of(const merged *merged, const armtol_answer *answer);
+
+#endif
