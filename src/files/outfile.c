@@ -221,3 +221,14 @@ bool outfile_write_at(const outfile_place *place, void (*write)(FILE *stream, co
     memcpy(file.name, place->name, sizeof file.name);
     return outfiles_write(&place->folder, &file, 1, data);
 }
+
+bool outfile_write(const char *path, void (*write)(FILE *stream, const void *data), const void *data)
+{
+    outfile_place place;
+    if (!outfile_open(&place, path)) {
+        return false;
+    }
+    const bool fine = outfile_write_at(&place, write, data);
+    outfile_close(&place);
+    return fine;
+}

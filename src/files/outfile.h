@@ -47,4 +47,7 @@ void outfile_close(outfile_place *place);
 /* The file, written from the data. False after a message. */
 bool outfile_write_at(const outfile_place *place, void (*write)(FILE *stream, const void *data), const void *data);
 
+/* All three at once. */
+bool outfile_write(const char *path, void (*write)(FILE *stream, const void *data), const void *data);
+
 #endif
