@@ -51,6 +51,7 @@
 /* All of it at once: what armtol answers to a question, and how the answer is tried on arms drawn at random. */
 #include "armtol/answer.h"
 #include "armtol/budget.h"
+#include "armtol/map.h"
 #include "armtol/question.h"
 #include "armtol/share_interval.h"
 #include "armtol/tally.h"

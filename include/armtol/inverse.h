@@ -122,6 +122,24 @@ double armtol_inverse_size(const armtol_inverse *inverse);
  */
 armtol_status armtol_inverse_find(armtol_inverse *inverse, const armtol_wish *wish, armtol_branches *branches);
 
+/*
+ * One branch alone, cheaply: the one that a start leads to, or the arm's own.
+ *
+ * Given:
+ *    inverse, wish   as above
+ *    from            a value a joint: where to start, the wish's neighbour say; NULL: the arm's own inverse kinematics,
+ *                    where note 5 has it come first
+ *
+ * Returned:
+ *    branch     as above; its q is the solver's until it is asked again. Untouched after an error
+ *
+ * Errors:
+ *    those of armtol_inverse_find; ARMTOL_OUT_OF_REACH where this start does not come near enough within the limits,
+ *    where the arm has no inverse kinematics of its own, and where that has no answer
+ */
+armtol_status armtol_inverse_follow(armtol_inverse *inverse, const armtol_wish *wish, const double from[],
+                                    armtol_branch *branch);
+
 ARMTOL_INTERFACE_END
 
 #endif

@@ -68,6 +68,9 @@
 #define kernels_portable armtol_private_kernels_portable
 #define given_axes_of armtol_private_given_axes_of
 #define length_of armtol_private_length_of
+#define map_answers armtol_private_map_answers
+#define map_blocks armtol_private_map_blocks
+#define map_is_left_out armtol_private_map_is_left_out
 #define pose_link_of armtol_private_pose_link_of
 #define question_check armtol_private_question_check
 #define question_check_columns armtol_private_question_check_columns

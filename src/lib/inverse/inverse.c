@@ -302,23 +302,30 @@ static void come_near(armtol_inverse *inverse, armtol_branches *branches)
     refine_best(inverse, branches);
 }
 
-/* By the arm's own inverse kinematics. Its wish is of the last frame, which the tool is `offset` away from. */
-static void try_own(armtol_inverse *inverse, armtol_branches *branches)
+/*
+ * By the arm's own inverse kinematics, on its way. Its wish is of the last frame, which the tool is `offset` away from.
+ */
+static bool find_own(armtol_inverse *inverse, chain_error *error)
 {
     const search *search = &inverse->search;
     armtol_transform last = search->goal.wish->tool, tool;
-    chain_error error;
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
             last.m[i][3] -= last.m[i][k] * inverse->chain.offset[k];
         }
     }
     if (!own_inverse(inverse->own, &last, inverse->way)) {
-        return;
+        return false;
     }
     chain_place(&inverse->chain, inverse->way, &tool);
-    chain_compare(&inverse->chain, &search->goal, &tool, &error);
-    if (search_is_there(search, &error) && search_is_within(&inverse->chain, inverse->way)) {
+    chain_compare(&inverse->chain, &search->goal, &tool, error);
+    return search_is_there(search, error) && search_is_within(&inverse->chain, inverse->way);
+}
+
+static void try_own(armtol_inverse *inverse, armtol_branches *branches)
+{
+    chain_error error;
+    if (find_own(inverse, &error)) {
         add_branch(inverse, branches, inverse->way, &error, true);
     }
 }
@@ -340,12 +347,18 @@ static bool can_be_measured(const armtol_inverse *inverse, const armtol_wish *wi
     return finite;
 }
 
-armtol_status armtol_inverse_find(armtol_inverse *inverse, const armtol_wish *wish, armtol_branches *branches)
+/* False for one whose distance cannot be told. */
+static bool take_wish(armtol_inverse *inverse, const armtol_wish *wish)
 {
     const double(*tool)[4] = wish->tool.m;
     const double away = length_of(length_of(tool[0][3], tool[1][3]), tool[2][3]) / inverse->chain.size;
     inverse->search.goal = (chain_goal){wish, wish->point_only ? 3 : 6, fmax(1, away)};
-    if (!can_be_measured(inverse, wish)) {
+    return can_be_measured(inverse, wish);
+}
+
+armtol_status armtol_inverse_find(armtol_inverse *inverse, const armtol_wish *wish, armtol_branches *branches)
+{
+    if (!take_wish(inverse, wish)) {
         return ARMTOL_NOT_FINITE;
     }
     branches->count = 0;
@@ -360,4 +373,31 @@ armtol_status armtol_inverse_find(armtol_inverse *inverse, const armtol_wish *wi
         branches->best = branches->branch[0];
     }
     return branches->count > 0 ? ARMTOL_OK : ARMTOL_OUT_OF_REACH;
+}
+
+static bool follow(armtol_inverse *inverse, const double from[], chain_error *error)
+{
+    const search *search = &inverse->search;
+    memcpy(inverse->way, from, inverse->chain.n_joints * sizeof *from);
+    search_descend(search, false, inverse->way, error);
+    return search_is_there(search, error) && search_bring_within(search, inverse->way, error);
+}
+
+armtol_status armtol_inverse_follow(armtol_inverse *inverse, const armtol_wish *wish, const double from[],
+                                    armtol_branch *branch)
+{
+    chain_error error;
+    if (!take_wish(inverse, wish)) {
+        return ARMTOL_NOT_FINITE;
+    }
+    const bool own = from == NULL && inverse->own != NULL && !wish->point_only;
+    if (!(from != NULL ? follow(inverse, from, &error) : own && find_own(inverse, &error))) {
+        return ARMTOL_OUT_OF_REACH;
+    }
+    if (from != NULL && inverse->chain.n_joints > inverse->search.goal.n_rows) {
+        search_approach(&inverse->search, inverse->way, &error);
+    }
+    *branch = branch_of(inverse, inverse->way, &error);
+    branch->own = own;
+    return ARMTOL_OK;
 }
