@@ -71,6 +71,7 @@ int main(void)
     }
     printf("compiled for %s; ratio: of the first line of its table\n\n", cases_compiled_for());
     measure("A with its bounds, a pose", pose_cases, pose_case_count);
+    measure("a map of 1000000 poses, slice by slice, a pose", map_cases, map_case_count);
     measure("exact error of the tool, a sample", sample_cases, sample_case_count);
     const double gain = two_threads_gain();
     if (gain <= 0) {

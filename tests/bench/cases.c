@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LINKS = 8, JOINTS = 6, COLUMNS = 32, POSES = 256, ARMS = 1024 };
+enum { LINKS = 8, JOINTS = 6, COLUMNS = 32, POSES = 256, ARMS = 1024, MAP_POSES = 1000000, SLICE = 4000 };
 
 #define SEED 605
 
@@ -27,6 +27,10 @@ static double matrices[POSES][6][COLUMNS];
 static double blocks[POSES * 6 * COLUMNS] __attribute__((aligned(64)));
 static armtol_bounds bounds[POSES];
 static double errors[6 * ARMS];
+
+static double map_q[MAP_POSES * JOINTS], map_values[SLICE];
+static armtol_drive no_drives[LINKS];
+static armtol_arm map_arm;
 
 /* Whatever is computed is read, so that no compiler leaves it out. */
 static volatile double sink;
@@ -88,6 +92,50 @@ static void run_far_samples(void)
     next_arm += ARMS;
     sink = errors[17];
 }
+
+/* A map is gone through slice by slice, one after the other, all of it over and over. */
+static size_t next_slice(void)
+{
+    static size_t at;
+    at = at + SLICE < MAP_POSES ? at + SLICE : 0;
+    return at;
+}
+
+/* A in all poses of a map, in blocks that stay in a near cache, and nothing done with it. */
+static void run_map_blocks(void)
+{
+    const size_t first = next_slice();
+    for (size_t p = 0; p < SLICE; p += POSES) {
+        const size_t n = SLICE - p < POSES ? SLICE - p : POSES;
+        armtol_pose_blocks(&poses, map_q + (first + p) * JOINTS, n, blocks, bounds);
+        sink = blocks[7] + bounds[n - 1].angle;
+    }
+}
+
+static void run_map(size_t first, size_t component)
+{
+    const armtol_question question = {.arm = &map_arm, .q = map_q + first * JOINTS, .n_poses = SLICE, .tolerances =
+        tolerances};
+    const armtol_map map = {.value = ARMTOL_MAP_WORST, .component = component};
+    sink = armtol_map_values(&question, &map, map_values, NULL) == ARMTOL_OK ? map_values[SLICE - 1] : -1;
+}
+
+static void run_map_of_dx(void)
+{
+    run_map(next_slice(), 0);
+}
+
+static void run_map_of_position(void)
+{
+    run_map(next_slice(), ARMTOL_MAP_POSITION);
+}
+
+const bench_case map_cases[] = {
+    {"armtol_pose_blocks, 256 poses at a time", run_map_blocks, SLICE},
+    {"armtol_map_values: the worst case of dx", run_map_of_dx, SLICE},
+    {"armtol_map_values: the worst case of the position", run_map_of_position, SLICE},
+};
+const size_t map_case_count = sizeof map_cases / sizeof map_cases[0];
 
 const bench_case pose_cases[] = {
     {"by hand for this arm, scalar, libm's sines", run_textbook_poses, POSES},
@@ -194,7 +242,39 @@ static bool start_samplers(void)
                                 &armtol_tool_origin, SEED) == ARMTOL_OK;
 }
 
+static void start_map(void)
+{
+    for (size_t i = 0; i < LINKS; i++) {
+        no_drives[i] = armtol_drive_unknown;
+    }
+    map_arm = (armtol_arm){.name = "bench", .title = "bench", .source = "bench", .n_links = LINKS, .links = links,
+                           .drives = no_drives};
+    for (size_t i = 0; i < MAP_POSES * JOINTS; i++) {
+        map_q[i] = 3 * armtol_sampler_uniform(SEED, i);
+    }
+}
+
+/* |A| t of the first poses, which are those of the other cases, added up here. */
+static bool map_agrees(void)
+{
+    run_map(0, 0);
+    bool agrees = sink >= 0;
+    for (size_t p = 0; p < POSES && agrees; p++) {
+        double worst = 0;
+        for (size_t k = 0; k < COLUMNS; k++) {
+            worst += fabs(blocks[ARMTOL_POSE_ELEMENT(COLUMNS, 0, k, p)]) * tolerances[k];
+        }
+        agrees = near(worst, map_values[p], 1000);
+    }
+    return agrees;
+}
+
 bool cases_start(void)
 {
-    return start_poses() && start_samplers() && poses_agree() && samples_agree();
+    if (!start_poses() || !start_samplers() || !poses_agree() || !samples_agree()) {
+        return false;
+    }
+    start_map();
+    armtol_pose_blocks(&poses, q, POSES, blocks, bounds);
+    return map_agrees();
 }

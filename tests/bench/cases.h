@@ -16,8 +16,8 @@ typedef struct bench_case {
 enum { BENCH_CASES = 8 };
 
 /* The first of each is the loop written by hand. */
-extern const bench_case pose_cases[], sample_cases[];
-extern const size_t pose_case_count, sample_case_count;
+extern const bench_case pose_cases[], sample_cases[], map_cases[]; /* of maps: A alone in blocks */
+extern const size_t pose_case_count, sample_case_count, map_case_count;
 
 /* Prepares the cases, and whether the library and the loops written by hand agree. */
 bool cases_start(void);

@@ -109,13 +109,17 @@ static inline void keep_least(double *bound, double other)
     }
 }
 
+/* Eq. (4.31): the lengths have what the angles leave of each row. */
 static void bounds_of(const sums *sums, const double tolerances[6], double delta, armtol_bounds *bounds)
 {
-    double distance = (double)INFINITY, angle = (double)INFINITY;
+    double distance = (double)INFINITY, angle = (double)INFINITY, angles[3];
     for (int i = 0; i < 3; i++) {
-        keep_least(&distance, delta / sqrt(sums->lengths[i]));
-        keep_least(&angle, (tolerances[i] - delta) / sqrt(sums->angles[i]));
+        angles[i] = sqrt(sums->angles[i]);
+        keep_least(&angle, (tolerances[i] - delta) / angles[i]);
         keep_least(&angle, tolerances[i + 3] / sqrt(sums->angles[i + 3]));
+    }
+    for (int i = 0; i < 3; i++) {
+        keep_least(&distance, (tolerances[i] - angles[i] * angle) / sqrt(sums->lengths[i]));
     }
     *bounds = (armtol_bounds){distance, angle};
 }
