@@ -8,6 +8,8 @@
 #include "armtol/ask/watched.h"
 #include "armtol/cluster/merge.h"
 #include "armtol/cluster/shard.h"
+#include "armtol/draw/budget.h"
+#include "armtol/map/run.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tell/arm_list.h"
 #include "armtol/tell/branches.h"
@@ -18,6 +20,7 @@
 #include "console/flags.h"
 #include "console/message.h"
 #include "console/rounding.h"
+#include "files/outfile.h"
 
 #include <signal.h>
 #include <stdio.h>
@@ -62,6 +65,22 @@ static bool print(const findings *findings)
     }
 }
 
+/* The picture of the budget takes the place of the answer where it goes to standard output. */
+static bool is_on_standard_output(const cli_options *options)
+{
+    return options->svg != NULL && strcmp(options->svg, "-") == 0;
+}
+
+static bool draw_budget(const findings *findings)
+{
+    const cli_options *options = findings->request->options;
+    if (is_on_standard_output(options)) {
+        budget_write_svg(stdout, findings);
+        return true;
+    }
+    return options->svg == NULL || outfile_write(options->svg, budget_write_svg, findings);
+}
+
 static int tell(const request *request, const armtol_answer *answer, const merged *merged)
 {
     armtol_budget *budget = NULL;
@@ -79,7 +98,7 @@ static int tell(const request *request, const armtol_answer *answer, const merge
         return EXIT_FAILED;
     }
     findings.budget = budget;
-    const bool fine = print(&findings);
+    const bool fine = draw_budget(&findings) && (is_on_standard_output(request->options) || print(&findings));
     armtol_budget_destroy(budget);
     return fine ? EXIT_OK : EXIT_FAILED;
 }
@@ -103,7 +122,9 @@ static int run(const cli_options *options, const arm_model *model, const merged 
     if (code != EXIT_OK) {
         return code;
     }
-    const int ended = against_is_asked(options) ? against_run(&request, model) : answer_request(&request, merged);
+    const int ended = options->action == CLI_MAP  ? map_run(&request)
+                      : against_is_asked(options) ? against_run(&request, model)
+                                                  : answer_request(&request, merged);
     request_free(&request);
     return ended;
 }

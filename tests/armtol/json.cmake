@@ -51,6 +51,15 @@ run(${ARMTOL} puma560 --joints 0,45,-90,0,45,0 --degrees --accuracy .5,.5,.5,.01
 check("rss" method)
 check("2" sigma)
 
+set(answer "${run_output}")
+run(${ARMTOL} map puma560 --plane xz --range -800..800,-400..800 --grid 5,3 --tolerances lengths=1 --json)
+check("worst" map)
+check("xz" plane axes)
+check_length(3 values)
+check_length(5 values 0)
+check_length(3 marks)
+set(run_output "${answer}${run_output}")
+
 # Every member that is printed is described.
 file(READ ${DOCUMENT} document)
 string(REGEX MATCHALL "\"[a-z_0-9]+\":" members "${run_output}${members_of_norms}")

@@ -23,6 +23,12 @@ const char *const commands[COMMANDS][COMMAND_ARGUMENTS] = {
     {"arm.csv", "--poses", "poses.csv", "--method", "rss", "--weights", "weights.csv", ACCURACY},
     {"arm.csv", POSE, "--tolerances", "tolerances.csv"},
     {"arm.csv", POSE, "--deviations", "deviations.csv"},
+    {"map", "arm.csv", "--plane", "xz", "--range", "300..500,0..200", "--grid", "3,2", "--tolerances", "lengths=.1",
+     "--tsv",
+     "-"},
+    {"map", "arm.csv", POSE, "--plane", "xy", "--offset", "596", "--range", "600..650,-170..-140", "--grid", "3,2",
+     ACCURACY,
+     "--json"},
     {"ur5e.urdf", "--tip", "tool0", "--joints", "10,-80,70,-60,50,40", "--degrees", ACCURACY},
 };
 

@@ -75,6 +75,20 @@ static void check_question(const cli_options *options)
     REQUIRE(options->n_shards <= options->verify);
 }
 
+static void check_map(const command_line *line, const cli_options *options)
+{
+    const map_texts *map = &options->map;
+    const char *const texts[] = {map->plane, map->range, map->grid, map->step, map->offset, map->orientation, map->what,
+                                 map->of,
+                                 map->contour, map->tsv, options->svg};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        REQUIRE(is_typed(line, texts[i]));
+    }
+    REQUIRE(options->arm != NULL && map->plane != NULL && map->range != NULL);
+    REQUIRE(map->grid == NULL || map->step == NULL);
+    REQUIRE(options->format != OUTPUT_CSV && options->verify == 0 && !options->budget);
+}
+
 static int check_armtol(command_line *line)
 {
     cli_options options;
@@ -99,6 +113,9 @@ static int check_armtol(command_line *line)
         REQUIRE(!needs_arm || options.arm != NULL);
         if (options.action == CLI_ANSWER) {
             check_question(&options);
+        }
+        if (options.action == CLI_MAP) {
+            check_map(line, &options);
         }
     }
     return code;

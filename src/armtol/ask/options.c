@@ -61,7 +61,18 @@ enum {
     OPTION_LIST,
     OPTION_LINKS,
     OPTION_SHOW,
-    OPTION_CRAIG
+    OPTION_CRAIG,
+    OPTION_SVG,
+    OPTION_PLANE,
+    OPTION_OFFSET,
+    OPTION_RANGE,
+    OPTION_GRID,
+    OPTION_STEP,
+    OPTION_ORIENTATION,
+    OPTION_WHAT,
+    OPTION_OF,
+    OPTION_CONTOUR,
+    OPTION_TSV
 };
 
 static const struct option long_options[] = {
@@ -112,6 +123,17 @@ static const struct option long_options[] = {
     {"links", no_argument, NULL, OPTION_LINKS},
     {"show", no_argument, NULL, OPTION_SHOW},
     {"craig", no_argument, NULL, OPTION_CRAIG},
+    {"svg", required_argument, NULL, OPTION_SVG},
+    {"plane", required_argument, NULL, OPTION_PLANE},
+    {"offset", required_argument, NULL, OPTION_OFFSET},
+    {"range", required_argument, NULL, OPTION_RANGE},
+    {"grid", required_argument, NULL, OPTION_GRID},
+    {"step", required_argument, NULL, OPTION_STEP},
+    {"orientation", required_argument, NULL, OPTION_ORIENTATION},
+    {"what", required_argument, NULL, OPTION_WHAT},
+    {"of", required_argument, NULL, OPTION_OF},
+    {"contour", required_argument, NULL, OPTION_CONTOUR},
+    {"tsv", required_argument, NULL, OPTION_TSV},
     {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},
     {NULL, 0, NULL, 0},
@@ -328,6 +350,33 @@ static bool take_problem(int option, const char *argument, cli_options *options)
     }
 }
 
+/* Options of a map: what they mean is for the map to say. */
+static bool take_map(int option, const char *argument, map_texts *map)
+{
+    switch (option) {
+    case OPTION_PLANE:
+        return take_text(argument, &map->plane);
+    case OPTION_OFFSET:
+        return take_text(argument, &map->offset);
+    case OPTION_RANGE:
+        return take_text(argument, &map->range);
+    case OPTION_GRID:
+        return take_text(argument, &map->grid);
+    case OPTION_STEP:
+        return take_text(argument, &map->step);
+    case OPTION_ORIENTATION:
+        return take_text(argument, &map->orientation);
+    case OPTION_WHAT:
+        return take_text(argument, &map->what);
+    case OPTION_OF:
+        return take_text(argument, &map->of);
+    case OPTION_CONTOUR:
+        return take_text(argument, &map->contour);
+    default:
+        return take_text(argument, &map->tsv);
+    }
+}
+
 /* Of an option with an argument only one can hold. Every option has a bit of its own. */
 static bool is_first(int option, cli_options *options)
 {
@@ -398,8 +447,11 @@ static bool take_one(int option, const char *argument, void *context)
         return take_action(CLI_HELP, options);
     case 'V':
         return take_action(CLI_VERSION, options);
+    case OPTION_SVG:
+        return take_text(argument, &options->svg);
     default:
-        return take_problem(option, argument, options);
+        return option >= OPTION_PLANE && option <= OPTION_TSV ? take_map(option, argument, &options->map)
+                                                              : take_problem(option, argument, options);
     }
 }
 
@@ -423,6 +475,9 @@ static bool take_word(const char *argument, cli_options *options)
 {
     if (options->xacro && strstr(argument, ":=") != NULL) {
         return take_xacro_argument(argument, options);
+    }
+    if (options->arm == NULL && options->action == CLI_ANSWER && strcmp(argument, "map") == 0) {
+        return take_action(CLI_MAP, options);
     }
     if (options->arm != NULL) {
         return flags_wrong("unexpected argument", argument);
@@ -479,7 +534,7 @@ static const char *fault_of_poses(const cli_options *options)
     if (options->action == CLI_BRANCHES && !at) {
         return "the position is missing; expected --at x,y,z,gamma,beta,alpha or --at-file FILE with --branches";
     }
-    if (options->joints == NULL && options->poses == NULL && !at) {
+    if (options->joints == NULL && options->poses == NULL && !at && options->action != CLI_MAP) {
         return "the pose is missing; expected --joints Q, --poses FILE, --at POSITION or --at-file FILE";
     }
     if (options->joints != NULL && options->poses != NULL) {
@@ -491,14 +546,9 @@ static const char *fault_of_poses(const cli_options *options)
     return options->near != NULL && !at ? "--near is for --at and --at-file" : NULL;
 }
 
-static const char *fault_of_question(const cli_options *options)
+/* What contradicts itself in what is known and wanted, of one pose as of a map. */
+static const char *fault_of_wishes(const cli_options *options)
 {
-    if (options->against != NULL || options->deviations != NULL) {
-        return fault_of_comparison(options);
-    }
-    if (options->accuracy == NULL && options->tolerances == NULL) {
-        return "the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)";
-    }
     if (options->weights != NULL && (options->tolerances != NULL || options->method == ARMTOL_METHOD_SPHERE)) {
         return "--weights is for the methods worst and rss";
     }
@@ -508,8 +558,57 @@ static const char *fault_of_question(const cli_options *options)
     if (options->given != NULL && options->tolerances != NULL) {
         return "--given is for tolerances that are asked for, and --tolerances gives them all";
     }
-    if (options->sigma_given && options->method != ARMTOL_METHOD_RSS) {
-        return "--sigma is for --method rss";
+    return options->sigma_given && options->method != ARMTOL_METHOD_RSS ? "--sigma is for --method rss" : NULL;
+}
+
+static bool has_map_texts(const map_texts *map)
+{
+    return map->plane != NULL || map->offset != NULL || map->range != NULL || map->grid != NULL || map->step != NULL ||
+           map->orientation != NULL || map->what != NULL || map->of != NULL || map->contour != NULL || map->tsv != NULL;
+}
+
+static const char *fault_of_map(const cli_options *options)
+{
+    if (options->map.plane == NULL) {
+        return "the plane is missing; expected --plane xy, xz or yz";
+    }
+    if (options->map.range == NULL) {
+        return "the range is missing; expected --range A0..A1,B0..B1";
+    }
+    if (options->map.grid != NULL && options->map.step != NULL) {
+        return "--grid and --step exclude each other";
+    }
+    if (options->verify != 0 || options->seed_given || options->threads != 0 || options->budget || options->tool_pose ||
+        options->wish_motors) {
+        return "--verify, --seed, --threads, --budget, --tool-pose and --wish are not for a map";
+    }
+    if (options->against != NULL || options->deviations != NULL) {
+        return "--against and --deviations are not for a map";
+    }
+    if (options->format == OUTPUT_CSV) {
+        return "a map has no --csv; expected --tsv FILE, --svg FILE or --json";
+    }
+    return fault_of_wishes(options);
+}
+
+/* What is missing, or contradicts itself, in a question; NULL where nothing is. */
+static const char *fault_of_question(const cli_options *options)
+{
+    if (has_map_texts(&options->map)) {
+        return "--plane, --range and what goes with them are for armtol map ARM";
+    }
+    if (options->svg != NULL && !options->budget) {
+        return "--svg is for --budget, and for armtol map ARM";
+    }
+    if (options->against != NULL || options->deviations != NULL) {
+        return fault_of_comparison(options);
+    }
+    if (options->accuracy == NULL && options->tolerances == NULL) {
+        return "the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)";
+    }
+    const char *wishes = fault_of_wishes(options);
+    if (wishes != NULL) {
+        return wishes;
     }
     if ((options->seed_given || options->threads != 0) && options->verify == 0) {
         return "--seed and --threads are for --verify N";
@@ -542,7 +641,10 @@ static const char *fault_of(const cli_options *options)
     }
     const char *fault = fault_of_shard(options);
     fault = fault != NULL ? fault : fault_of_poses(options);
-    return fault != NULL || options->action == CLI_BRANCHES ? fault : fault_of_question(options);
+    if (fault != NULL || options->action == CLI_BRANCHES) {
+        return fault;
+    }
+    return options->action == CLI_MAP ? fault_of_map(options) : fault_of_question(options);
 }
 
 int cli_options_parse(int argc, char *argv[], cli_options *options)

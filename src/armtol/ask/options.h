@@ -13,11 +13,29 @@ enum { MOST_PAYLOADS = 64, MOST_AT = 64 };
 #define MOST_ARMS 1000000000000u
 #define MOST_SHARDS 1000000u
 
-typedef enum cli_action { CLI_ANSWER, CLI_LIST, CLI_SHOW, CLI_LINKS, CLI_BRANCHES, CLI_HELP, CLI_VERSION } cli_action;
+typedef enum cli_action {
+    CLI_ANSWER,
+    CLI_MAP,
+    CLI_LIST,
+    CLI_SHOW,
+    CLI_LINKS,
+    CLI_BRANCHES,
+    CLI_HELP,
+    CLI_VERSION
+} cli_action;
 
 typedef enum output_format { OUTPUT_TEXT, OUTPUT_JSON, OUTPUT_CSV } output_format;
 
 typedef enum unit_choice { UNITS_OF_ARM, UNITS_SMALL, UNITS_LARGE, UNITS_INCHES } unit_choice;
+
+/* What `armtol map` is told beside the rest, as typed. */
+typedef struct map_texts {
+    const char *plane, *offset; /* which coordinates, and the third one */
+    const char *range, *grid, *step;
+    const char *orientation;
+    const char *what, *of, *contour;
+    const char *tsv;
+} map_texts;
 
 /* The command line. Texts are as typed: what they mean depends on the arm. NULL where not given. */
 typedef struct cli_options {
@@ -67,6 +85,8 @@ typedef struct cli_options {
     output_format format;
     char **words; /* as typed, without the program's name */
     size_t n_words;
+    const char *svg; /* the file of a map's picture, or the budget's */
+    map_texts map;
     uint64_t seen; /* a bit for every option that has been read */
 } cli_options;
 

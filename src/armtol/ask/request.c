@@ -121,6 +121,9 @@ static bool get_poses(request *request)
     if (at_is_asked(options)) {
         return at_find_poses(options, &request->units, arm, &request->q, &request->taken, n_poses);
     }
+    if (options->joints == NULL && options->poses == NULL) { /* a map can do without */
+        return true;
+    }
     const bool fine = options->poses != NULL ? read_poses(options->poses, n_joints, &request->q, n_poses)
                                              : parse_joints(options->joints, arm, n_joints, &request->q, n_poses);
     for (size_t pose = 0; fine && pose < *n_poses; pose++) {

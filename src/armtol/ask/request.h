@@ -26,7 +26,10 @@ typedef struct request {
     size_t n_columns;
 } request;
 
-/* EXIT_OK, or an exit code after a message; nothing is then to be freed. The request stays where it is. */
+/*
+ * Where the command line has no pose the question has none. EXIT_OK, or an exit code after a message; nothing is then
+ * to be freed. The request stays where it is.
+ */
 int request_make(request *request, const cli_options *options, const arm_model *model);
 void request_free(request *request);
 

@@ -1,0 +1,86 @@
+#include "armtol/map/run.h"
+
+#include "armtol/map/output.h"
+#include "console/exit_code.h"
+#include "console/message.h"
+#include "files/outfile.h"
+
+#include <string.h>
+
+/* "-" is standard output. */
+static bool is_standard(const char *path)
+{
+    return path != NULL && strcmp(path, "-") == 0;
+}
+
+static bool write_one(const char *path, void (*write)(FILE *stream, const void *data), const map_findings *findings)
+{
+    if (path == NULL) {
+        return true;
+    }
+    if (is_standard(path)) {
+        write(stdout, findings);
+        return true;
+    }
+    return outfile_write(path, write, findings);
+}
+
+static int tell(const map_findings *findings)
+{
+    const cli_options *options = findings->plan->request->options;
+    const bool standard = is_standard(options->svg) || is_standard(options->map.tsv);
+    if (!write_one(options->svg, map_write_svg, findings) || !write_one(options->map.tsv, map_write_tsv, findings)) {
+        return EXIT_FAILED;
+    }
+    if (options->format == OUTPUT_JSON) {
+        return map_print_json(findings) ? EXIT_OK : EXIT_FAILED;
+    }
+    if (!standard) {
+        map_print_text(findings);
+    }
+    return EXIT_OK;
+}
+
+/* What a picture needs is there before a file is begun. */
+static int draw_and_tell(const map_plan *plan, const map_found *found)
+{
+    sheet sheet;
+    if (plan->request->options->svg == NULL) {
+        return tell(&(map_findings){plan, found, NULL});
+    }
+    if (!sheet_make(&sheet, plan, found)) {
+        return EXIT_FAILED;
+    }
+    const int code = tell(&(map_findings){plan, found, &sheet});
+    sheet_free(&sheet);
+    return code;
+}
+
+static bool is_one_output(const cli_options *options)
+{
+    const int n = is_standard(options->svg) + is_standard(options->map.tsv) + (options->format == OUTPUT_JSON);
+    if (n > 1) {
+        message("--svg -, --tsv - and --json exclude each other: there is one standard output");
+    }
+    return n <= 1;
+}
+
+int map_run(const request *request)
+{
+    map_plan plan;
+    map_found found;
+    if (!is_one_output(request->options)) {
+        return EXIT_WRONG;
+    }
+    int code = map_plan_make(&plan, request);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    code = map_find(&plan, &found);
+    if (code == EXIT_OK) {
+        code = draw_and_tell(&plan, &found);
+        map_found_free(&found);
+    }
+    map_plan_free(&plan);
+    return code;
+}
