@@ -1,0 +1,1 @@
+docs/lab-book/tools/plane-of svg intelledex605t published
