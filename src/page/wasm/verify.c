@@ -22,7 +22,7 @@ static struct {
     request request;
     armtol_answer *answer;
     tally_limits limits;
-    tally counted, part;
+    tally *counted, *part; /* of some MB: on the heap, which grows only where arms are drawn */
 } asked;
 
 int page_verify_begin(int argc, char *argv[])
@@ -49,35 +49,41 @@ int page_verify_begin(int argc, char *argv[])
                     : armtol_component_name(fault.number));
         return EXIT_WRONG;
     }
+    asked.counted = malloc(sizeof *asked.counted);
+    asked.part = malloc(sizeof *asked.part);
+    if (asked.counted == NULL || asked.part == NULL) {
+        out_of_memory();
+        return EXIT_FAILED;
+    }
     verification_limits(asked.answer, &asked.limits);
-    tally_start(&asked.counted, asked.limits.n_measures);
+    tally_start(asked.counted, asked.limits.n_measures);
     return EXIT_OK;
 }
 
 int page_verify_draw(double first, double count)
 {
     const armtol_draw draw = {.samples = (uint64_t)count, .seed = asked.options.seed, .n_threads = 1};
-    if (draw_arms(asked.answer, &draw, (uint64_t)first, &asked.limits, &asked.part) != ARMTOL_OK) {
+    if (draw_arms(asked.answer, &draw, (uint64_t)first, &asked.limits, asked.part) != ARMTOL_OK) {
         out_of_memory();
         return EXIT_FAILED;
     }
-    tally_merge(&asked.counted, &asked.part);
+    tally_merge(asked.counted, asked.part);
     return EXIT_OK;
 }
 
 void *page_verify_counted(void)
 {
-    return &asked.counted;
+    return asked.counted;
 }
 
 int page_verify_size(void)
 {
-    return (int)tally_size(&asked.counted);
+    return (int)tally_size(asked.counted);
 }
 
 void page_verify_add(const void *counted)
 {
-    tally_merge(&asked.counted, counted);
+    tally_merge(asked.counted, counted);
 }
 
 int page_verify_end(void)
@@ -92,7 +98,7 @@ int page_verify_end(void)
     }
     search_corners(asked.answer, &draw, errors, &found);
     free(errors);
-    verification_report(asked.answer, &asked.counted, &asked.limits, &found);
+    verification_report(asked.answer, asked.counted, &asked.limits, &found);
     const bool fine = asked.options.format == OUTPUT_JSON  ? output_json(&findings)
                       : asked.options.format == OUTPUT_CSV ? output_csv(&findings)
                                                            : output_text(&findings);
