@@ -56,6 +56,7 @@
 #include "armtol/share_interval.h"
 #include "armtol/tally.h"
 #include "armtol/verification.h"
+#include "armtol/region.h"
 
 /* From where the tool should be to joint values, for any arm. */
 #include "armtol/inverse.h"

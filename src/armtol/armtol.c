@@ -10,6 +10,7 @@
 #include "armtol/cluster/shard.h"
 #include "armtol/draw/budget.h"
 #include "armtol/map/run.h"
+#include "armtol/region/region_run.h"
 #include "armtol/tables/arm_file.h"
 #include "armtol/tell/arm_list.h"
 #include "armtol/tell/branches.h"
@@ -81,11 +82,13 @@ static bool draw_budget(const findings *findings)
     return options->svg == NULL || outfile_write(options->svg, budget_write_svg, findings);
 }
 
-static int tell(const request *request, const armtol_answer *answer, const merged *merged)
+/* merged, region: NULL where there are none. */
+static int tell(const request *request, const armtol_answer *answer, const merged *merged,
+                const armtol_region_answer *region)
 {
     armtol_budget *budget = NULL;
     armtol_verification found;
-    findings findings = {request, answer, NULL, NULL};
+    findings findings = {.request = request, .answer = answer, .region = region};
     if (request->options->verify != 0) {
         const int code = verify(request, answer, merged, &found);
         if (code != EXIT_OK) {
@@ -109,8 +112,20 @@ static int answer_request(const request *request, const merged *merged)
     int code = request_answer(request, &answer);
     if (code == EXIT_OK) {
         const bool shard = request->options->shard != 0 && merged == NULL;
-        code = shard ? shard_run(request, answer, threads_of(request->options)) : tell(request, answer, merged);
+        code = shard ? shard_run(request, answer, threads_of(request->options)) : tell(request, answer, merged, NULL);
         armtol_answer_destroy(answer);
+    }
+    return code;
+}
+
+static int answer_region(request *request)
+{
+    armtol_region_answer *region;
+    int code = region_run(request, &region);
+    if (code == EXIT_OK) {
+        code = tell(request, region->answer, NULL, region);
+        code = code == EXIT_OK ? region_exit_code(request, region) : code;
+        armtol_region_answer_destroy(region);
     }
     return code;
 }
@@ -124,6 +139,7 @@ static int run(const cli_options *options, const arm_model *model, const merged 
     }
     const int ended = options->action == CLI_MAP  ? map_run(&request)
                       : against_is_asked(options) ? against_run(&request, model)
+                      : options->region != NULL   ? answer_region(&request)
                                                   : answer_request(&request, merged);
     request_free(&request);
     return ended;

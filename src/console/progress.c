@@ -37,6 +37,15 @@ static void time_left(double seconds, char text[24])
     snprintf(text, 24, "%.0f %s left", seconds / units[i].seconds, units[i].name);
 }
 
+static void put_line(progress *progress, const char *line)
+{
+    const int width = (int)strlen(line);
+    /* blanks over what a longer line before left */
+    fprintf(stderr, "\r%s%*s", line, progress->width > width ? progress->width - width : 0, "");
+    fflush(stderr);
+    progress->width = progress->width > width ? progress->width : width;
+}
+
 static void draw(progress *progress, uint64_t done, double elapsed)
 {
     enum { BAR = 20 };
@@ -45,13 +54,10 @@ static void draw(progress *progress, uint64_t done, double elapsed)
     const int cells = (int)(share * BAR);
     char left[24], line[160];
     time_left(elapsed * (1 - share) / share, left);
-    const int width = snprintf(line, sizeof line, "[%.*s%.*s] %3d %%  %llu of %llu %s, %s", cells, full,
+    snprintf(line, sizeof line, "[%.*s%.*s] %3d %%  %llu of %llu %s, %s", cells, full,
                                BAR - cells, empty, (int)(share * 100), (unsigned long long)done,
                                (unsigned long long)progress->total, progress->what, left);
-    /* blanks over what a longer line before left */
-    fprintf(stderr, "\r%s%*s", line, progress->width > width ? progress->width - width : 0, "");
-    fflush(stderr);
-    progress->width = progress->width > width ? progress->width : width;
+    put_line(progress, line);
 }
 
 void progress_show(progress *progress, uint64_t done)
@@ -63,6 +69,15 @@ void progress_show(progress *progress, uint64_t done)
     if (time >= progress->shown + 0.1) {
         progress->shown = time;
         draw(progress, done, time - progress->started);
+    }
+}
+
+void progress_say(progress *progress, const char *text)
+{
+    const double time = progress->terminal ? now() : 0;
+    if (progress->terminal && time >= progress->shown + 0.1) {
+        progress->shown = time;
+        put_line(progress, text);
     }
 }
 

@@ -21,6 +21,9 @@ void progress_start(progress *progress, const char *what, uint64_t total);
 /* May be called often: it looks at the clock, and draws ten times a second. */
 void progress_show(progress *progress, uint64_t done);
 
+/* The same with a text in the place of the bar, for work of which nobody knows how much is left. */
+void progress_say(progress *progress, const char *text);
+
 void progress_end(progress *progress);
 
 #endif

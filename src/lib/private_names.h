@@ -105,5 +105,37 @@
 #define search_from_near armtol_private_search_from_near
 #define search_is_within armtol_private_search_is_within
 #define search_is_there armtol_private_search_is_there
+#define arc_of_angle armtol_private_arc_of_angle
+#define arc_of_link armtol_private_arc_of_link
+#define arc_tangents armtol_private_arc_tangents
+#define boxes_add armtol_private_boxes_add
+#define boxes_free armtol_private_boxes_free
+#define boxes_start armtol_private_boxes_start
+#define boxes_take armtol_private_boxes_take
+#define chain_free armtol_private_chain_free
+#define chain_make armtol_private_chain_make
+#define chain_measure armtol_private_chain_measure
+#define corner_box_at armtol_private_corner_box_at
+#define corner_box_of armtol_private_corner_box_of
+#define corner_space_free armtol_private_corner_space_free
+#define corner_space_make armtol_private_corner_space_make
+#define corners_largest armtol_private_corners_largest
+#define corners_place armtol_private_corners_place
+#define enclose armtol_private_enclose
+#define enclose_unseen armtol_private_enclose_unseen
+#define pose_climb armtol_private_pose_climb
+#define pose_draw armtol_private_pose_draw
+#define pose_error armtol_private_pose_error
+#define pose_into_region armtol_private_pose_into_region
+#define pose_is_in_region armtol_private_pose_is_in_region
+#define pose_levers armtol_private_pose_levers
+#define pose_search_free armtol_private_pose_search_free
+#define pose_search_make armtol_private_pose_search_make
+#define region_check armtol_private_region_check
+#define region_refusal_of armtol_private_region_refusal_of
+#define where_asks armtol_private_where_asks
+#define where_excludes armtol_private_where_excludes
+#define where_holds armtol_private_where_holds
+#define where_nearest armtol_private_where_nearest
 
 #endif

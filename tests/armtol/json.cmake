@@ -51,7 +51,21 @@ run(${ARMTOL} puma560 --joints 0,45,-90,0,45,0 --degrees --accuracy .5,.5,.5,.01
 check("rss" method)
 check("2" sigma)
 
+string(JSON count ERROR_VARIABLE none GET "${run_output}" region)
+if(none STREQUAL "NOTFOUND")
+  message(FATAL_ERROR "a pose has a region")
+endif()
+
 set(answer "${run_output}")
+run(${ARMTOL} scara --region "q1=0..1\;q2=1..2\;q4=0" --accuracy .02,.02,-,-,-,.01 --json)
+check_length(3 region errors)
+check("dx" region errors 0 name)
+check("0.02" region errors 1 accuracy)
+check("gap" region errors 2 ended_by)
+check("0.01" region gap)
+check_length(2 region remainder)
+set(answer "${answer}${run_output}")
+
 run(${ARMTOL} map puma560 --plane xz --range -800..800,-400..800 --grid 5,3 --tolerances lengths=1 --json)
 check("worst" map)
 check("xz" plane axes)

@@ -200,7 +200,7 @@ typedef struct wrong_call {
 static const wrong_call wrong_calls[] = {
     {{NULL}, "armtol: the arm is missing; expected a name of --list or a file"},
     {{"puma560", NULL},
-     "armtol: the pose is missing; expected --joints Q, --poses FILE, --at POSITION or --at-file FILE"},
+     "armtol: the pose is missing; expected --joints Q, --poses FILE, --at POSITION, --at-file FILE or --region R"},
     {{"puma560", "--joints", POSE, "--at", "1,2,3", NULL}, "armtol: --at and --at-file exclude --joints and --poses"},
     {{"puma560", "--poses", "p", "--at-file", "f", NULL}, "armtol: --at and --at-file exclude --joints and --poses"},
     {{"puma560", "--joints", POSE, "--near", POSE, "--accuracy", WISH, NULL},

@@ -5,6 +5,7 @@
  */
 
 #include "bench/cases.h"
+#include "bench/enclosure.h"
 #include "bench/two_threads.h"
 
 #include <stdio.h>
@@ -78,6 +79,10 @@ int main(void)
         fprintf(stderr, "armtol_bench: cannot start a thread\n");
         return EXIT_FAILURE;
     }
-    printf("two threads draw %.2f times as many samples as one\n", gain);
+    printf("two threads draw %.2f times as many samples as one\n\n", gain);
+    if (!enclosure_print()) {
+        fprintf(stderr, "armtol_bench: the largest error of a region is not enclosed\n");
+        return EXIT_FAILURE;
+    }
     return EXIT_SUCCESS;
 }

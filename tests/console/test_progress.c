@@ -71,6 +71,33 @@ static void test_the_time_that_is_left(void)
     check_bar(864001, "\r[....................]   0 %  1 of 864001 arms, 100 d left");
 }
 
+/* A text in the place of the bar: after the first second, ten times a second, and wiped like it. */
+static void test_a_text_in_its_place(void)
+{
+    progress progress;
+    said said;
+    said_begin();
+    progress_start(&progress, "boxes", 1);
+    progress_say(&progress, "too early");
+    seconds += 2;
+    progress_say(&progress, "gap 12 %");
+    seconds += 0.05;
+    progress_say(&progress, "too soon");
+    seconds += 0.1;
+    progress_say(&progress, "gap 9 %");
+    progress_end(&progress);
+    said_end(&said);
+    check_said("\rgap 12 %\rgap 9 % \r          \r", &said);
+    on_a_terminal = false;
+    said_begin();
+    progress_start(&progress, "boxes", 1);
+    seconds += 2;
+    progress_say(&progress, "nobody looks");
+    progress_end(&progress);
+    said_end(&said);
+    check_said("", &said);
+}
+
 static void test_it_is_drawn_ten_times_a_second_after_the_first(void)
 {
     static const struct {
@@ -145,6 +172,7 @@ int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_the_time_that_is_left);
+    RUN_TEST(test_a_text_in_its_place);
     RUN_TEST(test_it_is_drawn_ten_times_a_second_after_the_first);
     RUN_TEST(test_it_wipes_what_it_has_drawn);
     RUN_TEST(test_nothing_is_drawn_where_there_is_no_terminal_or_nothing_done);

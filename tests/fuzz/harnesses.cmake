@@ -1,6 +1,6 @@
 # The harnesses, one for each thing that reads: ARMTOL_FUZZ_HARNESSES has their names, and
 # armtol_fuzz_program(NAME TARGET [SOURCE...]) makes one, driven by libFuzzer or by the given source in its place.
-set(ARMTOL_FUZZ_HARNESSES arm_file axes dialogue lists numbers numerics options tally)
+set(ARMTOL_FUZZ_HARNESSES arm_file axes dialogue lists numbers numerics options region tally)
 get_target_property(armtol_cli_sources armtol_cli SOURCES)
 if(urdf/urdf.c IN_LIST armtol_cli_sources)
   list(APPEND ARMTOL_FUZZ_HARNESSES urdf)

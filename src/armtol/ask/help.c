@@ -4,10 +4,10 @@
 
 void cli_help(void)
 {
-    puts("Usage: armtol ARM (--joints Q | --poses FILE | --at POSITION)\n"
+    puts("Usage: armtol ARM (--joints Q | --poses FILE | --at POSITION | --region R)\n"
          "              --accuracy dx,dy,dz,wx,wy,wz [OPTION]...\n"
-         "       armtol ARM (--joints Q | --poses FILE | --at POSITION) --tolerances FILE\n"
-         "              [OPTION]...\n"
+         "       armtol ARM (--joints Q | --poses FILE | --at POSITION | --region R)\n"
+         "              --tolerances FILE [OPTION]...\n"
          "       armtol ARM --at POSITION --branches\n"
          "       armtol ARM ... --verify N --shard I/N --tally FILE | armtol merge FILE...\n"
          "       armtol map ARM --plane xz --range X0..X1,Z0..Z1 [OPTION]...\n"
@@ -28,6 +28,11 @@ void cli_help(void)
          "                              (default: the middle of each range, or 0)\n"
          "      --branches              list all joint values found for --at, and answer\n"
          "                              nothing else\n"
+         "      --region R              all poses of a region, as in\n"
+         "                              q2=-90..30;cylinder=300..550, or a file of such\n"
+         "                              lines: what is answered holds everywhere in it\n"
+         "      --gap P, --most N       how near its bounds are, in percent (default: 1),\n"
+         "                              and how many boxes of joints may be looked at\n"
          "      --accuracy A            the largest error of the tool: three linear\n"
          "                              components and three rotations, - for one that is\n"
          "                              free; or NAME=NUMBER,... of dx to wz, and of\n"

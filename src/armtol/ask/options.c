@@ -11,6 +11,9 @@
 #include <string.h>
 
 enum { MOST_THREADS = 1024 };
+#define DEFAULT_GAP 0.01
+#define DEFAULT_BOXES 1000000
+#define MOST_BOXES 1000000000u
 #define DEFAULT_SIGMA 3.0
 #define DEFAULT_SEED 1987
 
@@ -21,6 +24,9 @@ enum {
     OPTION_AT_FILE,
     OPTION_NEAR,
     OPTION_BRANCHES,
+    OPTION_REGION,
+    OPTION_GAP,
+    OPTION_MOST,
     OPTION_ACCURACY,
     OPTION_TOLERANCES,
     OPTION_DEGREES,
@@ -82,6 +88,9 @@ static const struct option long_options[] = {
     {"at-file", required_argument, NULL, OPTION_AT_FILE},
     {"near", required_argument, NULL, OPTION_NEAR},
     {"branches", no_argument, NULL, OPTION_BRANCHES},
+    {"region", required_argument, NULL, OPTION_REGION},
+    {"gap", required_argument, NULL, OPTION_GAP},
+    {"most", required_argument, NULL, OPTION_MOST},
     {"accuracy", required_argument, NULL, OPTION_ACCURACY},
     {"tolerances", required_argument, NULL, OPTION_TOLERANCES},
     {"degrees", no_argument, NULL, OPTION_DEGREES},
@@ -188,6 +197,28 @@ static bool take_snap(const char *text, double *snap)
     return fine;
 }
 
+/* In percent. */
+static bool take_gap(const char *text, cli_options *options)
+{
+    double gap;
+    if (!number_option_parse("--gap", text, &gap)) {
+        return false;
+    }
+    const bool fine = gap >= 1e-4 && gap <= 1000;
+    if (!fine) {
+        message("--gap: %s is out of range; expected 0.0001 to 1000 (percent)", message_quote(text, &(quoted){""}));
+    }
+    options->gap = gap / 100;
+    options->gap_given = true;
+    return fine;
+}
+
+static bool take_most(const char *text, cli_options *options)
+{
+    options->most_given = true;
+    return whole_number_parse("--most", text, 1, MOST_BOXES, &options->most);
+}
+
 static bool take_threads(const char *text, size_t *threads)
 {
     uint64_t value;
@@ -283,6 +314,14 @@ static bool take_share(const char *text, double *share)
     return true;
 }
 
+/* Options of a region. */
+static bool take_region(int option, const char *argument, cli_options *options)
+{
+    return option == OPTION_GAP    ? take_gap(argument, options)
+           : option == OPTION_MOST ? take_most(argument, options)
+                                   : take_text(argument, &options->region);
+}
+
 /* Options that say what loads the arm, and what is known of its drives. */
 static bool take_loading(int option, const char *argument, cli_options *options)
 {
@@ -318,6 +357,10 @@ static bool take_problem(int option, const char *argument, cli_options *options)
         return take_text(argument, &options->at_file);
     case OPTION_NEAR:
         return take_text(argument, &options->near);
+    case OPTION_REGION:
+    case OPTION_GAP:
+    case OPTION_MOST:
+        return take_region(option, argument, options);
     case OPTION_ACCURACY:
         return take_text(argument, &options->accuracy);
     case OPTION_TOLERANCES:
@@ -508,6 +551,9 @@ static bool read_all(int argc, char *argv[], cli_options *options)
 /* Two arms are compared as they are: nothing is allowed them, and nothing drawn. */
 static const char *fault_of_comparison(const cli_options *options)
 {
+    if (options->region != NULL) {
+        return "--against and --deviations are for poses; expected no --region";
+    }
     if (options->against != NULL && options->deviations != NULL) {
         return "--against and --deviations exclude each other";
     }
@@ -524,6 +570,9 @@ static const char *fault_of_shard(const cli_options *options)
     if ((options->shard != 0) != (options->tally != NULL) || (options->shard != 0 && options->verify == 0)) {
         return "--shard I/N and --tally FILE go together, with --verify N";
     }
+    if (options->shard != 0 && options->region != NULL) {
+        return "--shard draws arms in poses that are listed; expected no --region";
+    }
     return options->n_shards > options->verify ? "--shard: more shards than arms to draw" : NULL;
 }
 
@@ -534,8 +583,18 @@ static const char *fault_of_poses(const cli_options *options)
     if (options->action == CLI_BRANCHES && !at) {
         return "the position is missing; expected --at x,y,z,gamma,beta,alpha or --at-file FILE with --branches";
     }
-    if (options->joints == NULL && options->poses == NULL && !at && options->action != CLI_MAP) {
-        return "the pose is missing; expected --joints Q, --poses FILE, --at POSITION or --at-file FILE";
+    if (options->joints == NULL && options->poses == NULL && options->region == NULL && !at &&
+        options->action != CLI_MAP) {
+        return "the pose is missing; expected --joints Q, --poses FILE, --at POSITION, --at-file FILE or --region R";
+    }
+    if (options->region != NULL && options->action == CLI_MAP) {
+        return "--region is for tolerances; a map has --plane and --range";
+    }
+    if (options->region != NULL && (options->joints != NULL || options->poses != NULL || at)) {
+        return "--region has poses of its own; expected no --joints, --poses, --at and --at-file";
+    }
+    if (options->region == NULL && (options->gap_given || options->most_given)) {
+        return "--gap and --most are for --region R";
     }
     if (options->joints != NULL && options->poses != NULL) {
         return "--joints and --poses exclude each other";
@@ -649,7 +708,8 @@ static const char *fault_of(const cli_options *options)
 
 int cli_options_parse(int argc, char *argv[], cli_options *options)
 {
-    *options = (cli_options){.snap = ARMTOL_USUAL_SNAP, .sigma = DEFAULT_SIGMA, .seed = DEFAULT_SEED};
+    *options = (cli_options){.snap = ARMTOL_USUAL_SNAP, .sigma = DEFAULT_SIGMA, .seed = DEFAULT_SEED,
+                             .gap = DEFAULT_GAP, .most = DEFAULT_BOXES};
     options->words = argv + (argc > 0);
     options->n_words = (size_t)(argc - (argc > 0));
     optind = 1; /* it may not be the first command line that is read */

@@ -55,6 +55,10 @@ typedef struct cli_options {
     size_t n_at;
     const char *at_file;
     const char *near;
+    const char *region; /* a file, or words */
+    double gap;         /* of the bounds, as a part */
+    uint64_t most;      /* boxes */
+    bool gap_given, most_given;
     const char *accuracy;
     const char *tool_offset;
     const char *weights;

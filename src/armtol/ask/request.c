@@ -149,7 +149,11 @@ static bool take_poses(request *request)
 {
     const armtol_arm *arm = request->question.arm;
     const size_t n_joints = armtol_arm_joint_count(arm);
-    bool fine = request_tool(request->options, &request->units, &request->question.tool) && get_poses(request);
+    bool fine = request_tool(request->options, &request->units, &request->question.tool);
+    if (fine && request->options->region != NULL) { /* the region finds them */
+        return true;
+    }
+    fine = fine && get_poses(request);
     for (size_t pose = 0; fine && pose < request->question.n_poses; pose++) {
         fine = request->options->ignore_limits ||
                check_pose(&request->units, arm, pose, request->q + pose * n_joints);

@@ -111,3 +111,22 @@ void findings_load_difference(const findings *findings, size_t pose, double diff
         difference[i] = findings_shown(findings, i, most - least);
     }
 }
+
+const char *findings_enclosure_name(const armtol_enclosure *enclosure)
+{
+    size_t i = 0;
+    while (i < 6 && enclosure->components != 1u << i) {
+        i++;
+    }
+    return i < 6 ? armtol_component_name(i) : armtol_norm_name(enclosure->components);
+}
+
+bool findings_enclosure_is_length(const armtol_enclosure *enclosure)
+{
+    return enclosure->components < 1u << 3;
+}
+
+double findings_gap(const armtol_enclosure *enclosure)
+{
+    return enclosure->high > enclosure->low ? enclosure->high / enclosure->low - 1 : 0;
+}

@@ -4,6 +4,7 @@
 #include "armtol/answer.h"
 #include "armtol/ask/request.h"
 #include "armtol/budget.h"
+#include "armtol/region.h"
 #include "armtol/verification.h"
 
 #include <stdbool.h>
@@ -14,6 +15,7 @@ typedef struct findings {
     const armtol_answer *answer;
     const armtol_budget *budget;
     const armtol_verification *verification;
+    const armtol_region_answer *region; /* whose answer it then is */
 } findings;
 
 /* One parameter of one link, in the user's units. */
@@ -57,5 +59,10 @@ double findings_shown(const findings *findings, size_t measure, double value);
 
 /* How far the droops of a pose's loads are apart, component by component, in the user's units. */
 void findings_load_difference(const findings *findings, size_t pose, double difference[6]);
+
+/* Of an enclosure: its name, whether it is a length, and by what part of `low` it is open. */
+const char *findings_enclosure_name(const armtol_enclosure *enclosure);
+bool findings_enclosure_is_length(const armtol_enclosure *enclosure);
+double findings_gap(const armtol_enclosure *enclosure);
 
 #endif

@@ -339,6 +339,42 @@ static void write_verification(json *json, const findings *findings)
     json_close_object(json);
 }
 
+static void write_enclosure(json *json, const findings *findings, const armtol_enclosure *enclosure)
+{
+    static const char *const ends[ARMTOL_ENDED_COUNT] = {"gap", "most", "interrupt"};
+    const units *units = &findings->request->units;
+    const bool is_length = findings_enclosure_is_length(enclosure);
+    json_open_object(json, NULL);
+    json_text(json, "name", findings_enclosure_name(enclosure));
+    json_number(json, "accuracy", units_shown(units, is_length, enclosure->accuracy));
+    json_number(json, "found", units_shown(units, is_length, enclosure->low));
+    json_number(json, "bound", units_shown(units, is_length, enclosure->high));
+    json_number(json, "gap", findings_gap(enclosure));
+    json_count(json, "pose", enclosure->pose);
+    json_count(json, "boxes", enclosure->boxes);
+    json_text(json, "ended_by", ends[enclosure->ended]);
+    json_close_object(json);
+}
+
+static void write_region(json *json, const findings *findings)
+{
+    const armtol_region_answer *region = findings->region;
+    const units *units = &findings->request->units;
+    const double remainder[2] = {units_shown(units, true, region->remainder[0]),
+                                 units_shown(units, false, region->remainder[1])};
+    json_open_object(json, "region");
+    json_text(json, "asked", findings->request->options->region);
+    json_number(json, "gap", findings->request->options->gap);
+    json_count(json, "worst_poses", region->n_worst);
+    json_open_array(json, "errors");
+    for (size_t i = 0; i < region->n_enclosures; i++) {
+        write_enclosure(json, findings, &region->enclosures[i]);
+    }
+    json_close_array(json);
+    json_numbers(json, "remainder", remainder, 2);
+    json_close_object(json);
+}
+
 bool output_json(const findings *findings)
 {
     const cli_options *options = findings->request->options;
@@ -356,6 +392,9 @@ bool output_json(const findings *findings)
     write_components(&json, findings);
     if (findings->answer->n_norms > 0) {
         write_norms(&json, findings);
+    }
+    if (findings->region != NULL) {
+        write_region(&json, findings);
     }
     if (findings->answer->loaded) {
         write_loads(&json, findings);

@@ -81,10 +81,23 @@ static void print_pose(const findings *findings, size_t pose)
     }
 }
 
+static void print_region_poses(const findings *findings)
+{
+    const armtol_region_answer *region = findings->region;
+    wrap wrap;
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "%zu poses of the region %s: the worst that were found and, from %zu on, others.", region->n_poses,
+             findings->request->options->region, region->n_worst + 1);
+    wrap_end(&wrap);
+}
+
 static void print_poses(const findings *findings)
 {
     const size_t n_poses = findings->request->question.n_poses;
-    const size_t most = findings->request->options->tool_pose ? n_poses : MOST_POSES;
+    const size_t most = findings->request->options->tool_pose || findings->region != NULL ? n_poses : MOST_POSES;
+    if (findings->region != NULL) {
+        print_region_poses(findings);
+    }
     for (size_t pose = 0; pose < n_poses && pose < most; pose++) {
         print_pose(findings, pose);
     }
@@ -97,7 +110,11 @@ static void print_poses(const findings *findings)
 static void say_where(const findings *findings, wrap *wrap)
 {
     const size_t n_poses = findings->request->question.n_poses;
-    if (n_poses == 1) {
+    if (findings->region != NULL) {
+        const bool asked = findings->request->tolerances == NULL && findings->region->ended == ARMTOL_ENDED_GAP;
+        wrap_say(wrap, asked ? "everywhere in the region %s." : "in the region %s.",
+                 findings->request->options->region);
+    } else if (n_poses == 1) {
         wrap_say(wrap, "in this pose; elsewhere is unknown.");
     } else {
         wrap_say(wrap, "in these %zu poses; elsewhere is unknown.", n_poses);
@@ -214,7 +231,8 @@ bool output_text(const findings *findings)
     print_heading(findings);
     const bool fine = text_parameters(findings);
     print_unbounded(findings);
-    return fine && text_parts(findings) && text_components(findings) && text_loads(findings) &&
+    return fine && text_parts(findings) && text_components(findings) &&
+           (findings->region == NULL || text_region(findings)) && text_loads(findings) &&
            (findings->budget == NULL || text_budget(findings)) &&
            (findings->verification == NULL || text_verification(findings));
 }

@@ -10,6 +10,7 @@ bool text_parameters(const findings *findings);
 bool text_parts(const findings *findings);
 bool text_components(const findings *findings);
 bool text_loads(const findings *findings);
+bool text_region(const findings *findings);
 bool text_budget(const findings *findings);
 bool text_verification(const findings *findings);
 

@@ -1,0 +1,314 @@
+#include "lib/region/enclose.h"
+
+#include "lib/region/boxes.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/*
+ * Branch and bound. The bound of a box is the largest sum at the corners of polygons about the arcs of its joints
+ * (region.h, note 2): a sum of magnitudes of functions that are affine in each joint's cosine and sine is convex in
+ * that pair, so that for given others it is largest at a corner of the joint's polygon, and joint by joint the same
+ * holds for all. An arc of half width h that is cut into n has corners 1 / cos(h / n) out: the bound exceeds the
+ * largest error in the box by some h^2 / (2 n^2) a joint, and by nothing where that is at ends of all arcs.
+ */
+
+typedef struct bounding {
+    pose_search *search;
+    const chain *chain;
+    const enclose_target *target;
+    corner_box box;
+    corner_space space;
+    size_t *at;
+    double *range, *child, *pose, *nearer; /* 2, 2, 1 and 1 times n_variables */
+    double *best; /* the caller's: where low is */
+    boxes boxes;
+    double low, closed; /* closed: the largest bound of boxes that are not halved any more */
+    uint64_t looked_at;
+} bounding;
+
+static bool start(bounding *work, pose_search *search, const enclose_target *target, double best[])
+{
+    const chain *chain = search->chain;
+    const size_t n = chain->n_variables;
+    *work = (bounding){.search = search, .chain = chain, .target = target, .best = best, .low = -1, .closed = -1};
+    boxes_start(&work->boxes, n);
+    work->box.links = calloc(chain->n_links, sizeof *work->box.links);
+    work->at = calloc(CHAIN_DIRECTIONS + chain->n_links, sizeof *work->at);
+    work->range = calloc(6 * n, sizeof *work->range);
+    if (work->range == NULL) {
+        return false;
+    }
+    work->child = work->range + 2 * n;
+    work->pose = work->child + 2 * n;
+    work->nearer = work->pose + n;
+    const bool space = corner_space_make(&work->space, chain, CORNERS_MOST);
+    return space && work->box.links != NULL && work->at != NULL;
+}
+
+static void end(bounding *work)
+{
+    boxes_free(&work->boxes);
+    free(work->box.links);
+    free(work->at);
+    free(work->range);
+    corner_space_free(&work->space);
+}
+
+/* ---- errors that are found ---- */
+
+static void note_error(bounding *work, const double variables[], double error)
+{
+    if (error > work->low) {
+        work->low = error;
+        memcpy(work->best, variables, work->chain->n_variables * sizeof *variables);
+    }
+}
+
+/* A pose that is better than all before is climbed on from. */
+static void try_pose(bounding *work, const double variables[])
+{
+    const size_t size = work->chain->n_variables * sizeof *variables;
+    memcpy(work->nearer, variables, size);
+    if (!pose_into_region(work->search, work->nearer)) {
+        return;
+    }
+    const double error = pose_error(work->search, work->nearer);
+    if (error > work->low) {
+        note_error(work, work->nearer, error);
+        note_error(work, work->nearer, pose_climb(work->search, work->nearer));
+    }
+}
+
+/* ---- a box ---- */
+
+/* The corners where the bound is, or the points of the arcs next to them. */
+static void pose_at_corners(const bounding *work, double pose[])
+{
+    for (size_t i = 0; i < CHAIN_DIRECTIONS; i++) {
+        pose[i] = work->box.directions[i].values[work->at[i]];
+    }
+    for (size_t i = 0; i < work->chain->n_links; i++) {
+        const chain_link *link = &work->chain->links[i];
+        if (link->leads) {
+            pose[link->variable] = work->box.links[i].values[work->at[CHAIN_DIRECTIONS + i]];
+        }
+    }
+}
+
+static void keep_corner(const arc *from, size_t corner, arc *to)
+{
+    to->count = 1;
+    to->x[0] = from->x[corner];
+    to->y[0] = from->y[corner];
+    to->d[0] = from->d[corner];
+}
+
+static bool is_wide(const double range[], size_t n, size_t j)
+{
+    return range[n + j] - range[j] > 1e-12 * fmax(1, fabs(range[j]));
+}
+
+/* The largest at the bound's corners when one variable is put on its arc, its other corners left as they are. */
+static double without_corner(bounding *work, size_t j)
+{
+    corner_box *one = &work->search->box;
+    for (size_t i = 0; i < CHAIN_DIRECTIONS; i++) {
+        keep_corner(&work->box.directions[i], work->at[i], &one->directions[i]);
+    }
+    for (size_t i = 0; i < work->chain->n_links; i++) {
+        keep_corner(&work->box.links[i], work->at[CHAIN_DIRECTIONS + i], &one->links[i]);
+        if (work->chain->links[i].variable == j) {
+            arc_of_link(&work->chain->links[i], work->pose[j], work->pose[j], 0, &one->links[i]);
+        }
+    }
+    if (j < CHAIN_DIRECTIONS) {
+        arc_of_angle(work->pose[j], work->pose[j], 0, &one->directions[j]);
+    }
+    one->count = one->of_links = 1;
+    return corners_largest(work->chain, one, &work->search->space, work->search->at);
+}
+
+/*
+ * Halving is of use where the bound's corner is off the arc and, if the tool is not in the region there, where it
+ * moves the tool. Without either it is the widest part of the whole range.
+ */
+static size_t to_halve(bounding *work, const double range[], double bound)
+{
+    const chain *chain = work->chain;
+    const size_t n = chain->n_variables;
+    const bool inside = pose_is_in_region(work->search, work->pose);
+    double most = 0;
+    size_t best = n;
+    if (!inside) {
+        pose_levers(work->search, work->pose, work->nearer);
+    }
+    for (size_t j = 0; j < n; j++) {
+        if (is_wide(range, n, j)) {
+            const double width = range[n + j] - range[j], gain = bound > 0 ? 1 - without_corner(work, j) / bound : 0;
+            const double moved = inside ? 0 : width * work->nearer[j] / chain->reach;
+            const double part = 1e-9 * width / (chain->high[j] - chain->low[j]), use = fmax(gain, 0) + moved + part;
+            best = use > most ? j : best;
+            most = fmax(use, most);
+        }
+    }
+    return best;
+}
+
+/* Where there are too many corners. */
+static size_t widest(const bounding *work, const double range[])
+{
+    const size_t n = work->chain->n_variables;
+    size_t best = 0;
+    for (size_t j = 1; j < n; j++) {
+        best = range[n + j] - range[j] > range[n + best] - range[best] ? j : best;
+    }
+    return best;
+}
+
+static bool is_excluded(bounding *work)
+{
+    const armtol_region *region = work->search->region;
+    if (!where_asks(region)) {
+        return false;
+    }
+    corners_place(work->chain, &work->box, region->cone != NULL, &work->space);
+    return where_excludes(region, &work->space, work->box.of_links, work->chain->blur * work->box.stretch,
+                          work->chain->reach);
+}
+
+/* Up to here the boxes are as good as done. */
+static double threshold(const bounding *work)
+{
+    const double near = work->low * (1 + work->target->gap), limit = work->target->limit;
+    const double wished = work->low <= limit ? fmin(near, limit) : near;
+    return fmax(wished, work->low + 8 * work->chain->rounding);
+}
+
+/* Bounds the box, and keeps it where it is open. False where memory is short. */
+static bool look_at(bounding *work, const double range[], double above)
+{
+    const size_t n = work->chain->n_variables;
+    work->looked_at++;
+    if (!corner_box_of(work->chain, range, range + n, CORNERS_MOST, &work->box)) {
+        return boxes_add(&work->boxes, above, widest(work, range), range);
+    }
+    if (is_excluded(work)) {
+        return true;
+    }
+    const double largest = corners_largest(work->chain, &work->box, &work->space, work->at);
+    const double bound = fmin(above, largest * (1 + 1e-12) + work->chain->rounding * work->box.stretch);
+    pose_at_corners(work, work->pose);
+    if (bound > work->low) {
+        try_pose(work, work->pose);
+    }
+    const size_t halve = bound > threshold(work) ? to_halve(work, range, largest) : n;
+    if (halve == n) { /* done, or as narrow as numbers are */
+        work->closed = fmax(work->closed, bound);
+        return true;
+    }
+    return boxes_add(&work->boxes, bound, halve, range);
+}
+
+static bool divide(bounding *work, const open_box *box)
+{
+    const size_t n = work->chain->n_variables, j = box->halve, size = 2 * n * sizeof *work->range;
+    const double middle = work->range[j] + (work->range[n + j] - work->range[j]) / 2;
+    memcpy(work->child, work->range, size);
+    work->child[n + j] = middle;
+    if (!look_at(work, work->child, box->bound)) {
+        return false;
+    }
+    memcpy(work->child, work->range, size);
+    work->child[j] = middle;
+    return look_at(work, work->child, box->bound);
+}
+
+/* ---- all of them ---- */
+
+static double high_of(const bounding *work)
+{
+    const double open = work->boxes.count > 0 ? work->boxes.heap[0].bound : -1;
+    return fmax(work->low, fmax(work->closed, open));
+}
+
+static bool may_go_on(const bounding *work, armtol_enclosure *found)
+{
+    const double high = high_of(work), open = work->low > 0 && isfinite(high) ? (high - work->low) / high : 1;
+    if (work->looked_at >= work->target->most) {
+        found->ended = ARMTOL_ENDED_MOST;
+        return false;
+    }
+    if (work->target->progress != NULL && !work->target->progress(work->target->context, open, work->looked_at)) {
+        found->ended = ARMTOL_ENDED_CALLER;
+        return false;
+    }
+    return true;
+}
+
+static bool all_boxes(bounding *work, armtol_enclosure *found)
+{
+    const chain *chain = work->chain;
+    const size_t n = chain->n_variables;
+    memcpy(work->range, chain->low, n * sizeof *work->range);
+    memcpy(work->range + n, chain->high, n * sizeof *work->range);
+    bool enough = look_at(work, work->range, (double)INFINITY);
+    while (enough && work->boxes.count > 0 && work->low <= work->target->too_much &&
+           work->boxes.heap[0].bound > threshold(work) && may_go_on(work, found)) {
+        const open_box box = boxes_take(&work->boxes, work->range);
+        enough = divide(work, &box);
+    }
+    return enough;
+}
+
+/* Poses from which to climb before boxes are halved: what is found early need not be bounded. */
+static void seed(bounding *work, bool started)
+{
+    enum { DRAWN = 12 };
+    if (started) {
+        try_pose(work, work->best);
+    }
+    for (int i = 0; i < DRAWN && work->low <= work->target->too_much; i++) {
+        if (pose_draw(work->search, work->pose)) {
+            memcpy(work->nearer, work->pose, work->chain->n_variables * sizeof *work->pose);
+            const double error = pose_climb(work->search, work->nearer);
+            note_error(work, work->nearer, error);
+        }
+    }
+}
+
+armtol_status enclose(pose_search *search, const enclose_target *target, bool started, double variables[],
+                      armtol_enclosure *found)
+{
+    bounding work;
+    found->ended = ARMTOL_ENDED_GAP;
+    bool enough = start(&work, search, target, variables);
+    if (enough) {
+        seed(&work, started);
+        enough = all_boxes(&work, found);
+        found->low = work.low;
+        found->high = high_of(&work);
+        found->boxes = work.looked_at;
+    }
+    end(&work);
+    if (!enough) {
+        return ARMTOL_NO_MEMORY;
+    }
+    return work.low >= 0 ? ARMTOL_OK : found->ended == ARMTOL_ENDED_GAP ? ARMTOL_OUT_OF_REACH : ARMTOL_NOT_SOLVED;
+}
+
+bool enclose_unseen(pose_search *search)
+{
+    const enclose_target target = {.gap = 0};
+    const chain *chain = search->chain;
+    bounding work;
+    bool unseen = false;
+    if (start(&work, search, &target, NULL) &&
+        corner_box_of(chain, chain->low, chain->high, CORNERS_MOST, &work.box)) {
+        const double largest = corners_largest(chain, &work.box, &work.space, work.at);
+        unseen = largest <= 8 * chain->rounding * work.box.stretch;
+    }
+    end(&work);
+    return unseen;
+}
