@@ -6,10 +6,16 @@
 
 static const char *name = "?";
 static bool line_open = false;
+static void (*taker)(const char *text) = NULL;
 
 void message_start(const char *program_name)
 {
     name = program_name;
+}
+
+void message_hand_to(void (*take)(const char *text))
+{
+    taker = take;
 }
 
 void message_prompt(const char *prompt)
@@ -56,6 +62,10 @@ static void say(const char *before, bool lines, const char *format, va_list argu
     char text[6000]; /* the longest path and more */
     vsnprintf(text, sizeof text, format, arguments);
     disarm(text, lines);
+    if (taker != NULL) {
+        taker(text);
+        return;
+    }
     fprintf(stderr, "%s%s%s\n", line_open ? "\n" : "", before, text);
     line_open = false;
 }

@@ -22,6 +22,12 @@ void message(const char *format, ...) LIKE_PRINTF(1, 2);
 void message_note(const char *format, ...) LIKE_PRINTF(1, 2);
 
 /*
+ * Whole texts, of messages without the name, go to `take` in place of stderr; NULL: to stderr again. For a caller that is
+ * no program on a terminal.
+ */
+void message_hand_to(void (*take)(const char *text));
+
+/*
  * Ask on stderr; the line stays open for the answer. A message that comes before message_answered begins a
  * new line first. A user who answers ends the line as a rule; where the line is not ended, it is ended here.
  */

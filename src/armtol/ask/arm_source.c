@@ -120,7 +120,7 @@ static bool check_count(const char *path, const arm_model *model)
     return fine;
 }
 
-static int read_model(FILE *stream, const cli_options *options, arm_model *model)
+int arm_source_take(FILE *stream, const cli_options *options, arm_model *model)
 {
     const bool of_urdf = is_urdf(stream);
     bool fine = read_file(stream, options, model);
@@ -190,7 +190,7 @@ int arm_source_read(const cli_options *options, arm_model *model)
         if (opened != EXIT_OK) {
             return opened;
         }
-        const int code = read_model(stream, options, model);
+        const int code = arm_source_take(stream, options, model);
         fclose(stream);
         return code;
     }

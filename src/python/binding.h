@@ -1,0 +1,76 @@
+#ifndef ARMTOL_PYTHON_BINDING_H
+#define ARMTOL_PYTHON_BINDING_H
+
+#include "1987/analysis.h"
+#include "1987/program.h"
+#include "armtol/arm.h"
+#include "armtol/question.h"
+#include "armtol/tables/arm_model.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/*
+ * What Python asks beside the library's public headers. Lengths are in the arm's unit, angles in radians.
+ *
+ * What reads says in messages what is wrong. They are kept between binding_listen and binding_said, which belong around
+ * each call that is marked "messages"; one thread at a time.
+ */
+void binding_listen(void);
+
+/* What was said since, a line each; it stays until the next binding_listen. */
+const char *binding_said(void);
+
+/*
+ * The arm of a file or, where text is not NULL, of a table in memory of length > 0 (path is then its name in messages). base, tip and
+ * snap are for URDF, as_is for tables: docs/armtol.md. NULL after messages; to be freed with binding_arm_free, which takes NULL.
+ */
+arm_model *binding_arm_read(const char *path, char *text, size_t length, const char *base, const char *tip, double snap,
+                            bool as_is);
+void binding_arm_free(arm_model *model);
+
+/*
+ * The table of an arm, in radians, as --show writes it; NULL after messages. To be freed with binding_text_free, which
+ * takes NULL.
+ */
+char *binding_arm_table(const armtol_arm *arm, bool craig);
+void binding_text_free(char *text);
+
+/* The lists of --weights, --given, --tolerances and --drives (armtol/ask): one value a column of A, or a link. Messages. */
+bool binding_weights(const armtol_arm *arm, const char *text, double weights[]);
+bool binding_given(const armtol_arm *arm, const char *text, double least[], double largest[]);
+bool binding_tolerances(const armtol_arm *arm, const char *text, double tolerances[]);
+bool binding_drives(const armtol_arm *arm, const char *text, armtol_drive drives[]);
+
+/*
+ * Says, in a message, by how much drives and given tolerances exceed the accuracy: after ARMTOL_NOTHING_LEFT about `row`.
+ * q and least are those of the question, which has both.
+ */
+void binding_say_nothing_left(const armtol_question *question, double q[], double least[], bool is_given, size_t row);
+
+/*
+ * Where the tool is in each pose: n_poses x 4 x 4, row-major. *failed is the pose that the status is about. Errors: as of
+ * armtol_arm_place.
+ */
+armtol_status binding_forward(const armtol_arm *arm, const double offset[3], const double q[], size_t n_poses, double frames[],
+                              size_t *failed);
+
+/*
+ * A of each pose, n_poses x 6 x n_columns, row-major: to the bit that of armtol_tool_matrix for the placed links. Errors:
+ * those of armtol_arm_check; ARMTOL_NOT_FINITE about a pose, and for what overflows; ARMTOL_NO_MEMORY.
+ */
+armtol_status binding_matrices(const armtol_arm *arm, const armtol_tool_point *tool, const double q[], size_t n_poses,
+                               double matrices[], size_t *failed);
+
+/*
+ * A run of intella or adpta, whose input is stored as theirs was. residue: the words on the stack, NULL for those that the
+ * library works out. NULL with ARMTOL_NO_MEMORY; else, with any *status, to be freed with binding_run_free, which takes NULL.
+ */
+analysis *binding_run(const program *program, const double wish[], const double accuracy[6], double delta,
+                      const armtol_errata *errata, const double residue[3], armtol_status *status);
+void binding_run_free(analysis *run);
+
+/* What one of the run's files says, 0 to 3 in their order (1987/report.h); NULL where memory is short. As binding_arm_table. */
+char *binding_run_file(const program *program, const analysis *run, int file);
+
+#endif

@@ -1,0 +1,65 @@
+/* The programs of 1987, a run at a time. */
+
+#include "1987/report.h"
+#include "python/binding.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static armtol_status run_steps(analysis *run, const double wish[], const double accuracy[6], double delta,
+                               const double residue[3])
+{
+    double stored_wish[6], stored[6];
+    const armtol_errata *errata = &run->errata;
+    for (size_t i = 0; i < run->robot->n_wish; i++) {
+        stored_wish[i] = armtol_stored(errata, wish[i]);
+    }
+    for (int i = 0; i < 6; i++) {
+        stored[i] = armtol_stored(errata, accuracy[i]);
+    }
+    armtol_status status = analysis_place(run, stored_wish);
+    if (status == ARMTOL_OK && residue != NULL) {
+        const armtol_residue words = {{residue[0], residue[1], residue[2]}};
+        status = analysis_matrix_with_residue(run, &words);
+    } else if (status == ARMTOL_OK) {
+        status = analysis_matrix(run);
+    }
+    return status == ARMTOL_OK ? analysis_tolerances(run, stored, armtol_stored(errata, delta)) : status;
+}
+
+analysis *binding_run(const program *program, const double wish[], const double accuracy[6], double delta,
+                      const armtol_errata *errata, const double residue[3], armtol_status *status)
+{
+    analysis *run = malloc(sizeof *run);
+    *status = ARMTOL_NO_MEMORY;
+    if (run == NULL || !analysis_start(run, program->robot, errata)) {
+        free(run);
+        return NULL;
+    }
+    *status = run_steps(run, wish, accuracy, delta, residue);
+    return run;
+}
+
+void binding_run_free(analysis *run)
+{
+    if (run != NULL) {
+        analysis_free(run);
+        free(run);
+    }
+}
+
+char *binding_run_file(const program *program, const analysis *run, int file)
+{
+    char *text = NULL;
+    size_t length = 0;
+    const report report = {program, run};
+    FILE *stream = open_memstream(&text, &length);
+    if (stream != NULL) {
+        report_files[file].write(stream, &report);
+        if (fclose(stream) != 0) {
+            free(text);
+            text = NULL;
+        }
+    }
+    return text;
+}
