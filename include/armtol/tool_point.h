@@ -3,6 +3,7 @@
 
 #include "armtol/conventions.h"
 #include "armtol/interface.h"
+#include "armtol/link.h"
 
 ARMTOL_INTERFACE_BEGIN
 
@@ -17,6 +18,9 @@ typedef struct armtol_tool_point {
 
 /* The origin of the last frame, counted along the base's axes. */
 extern const armtol_tool_point armtol_tool_origin;
+
+/* Where the tool of placed links is: the last frame's orientation, at the tool point. tool->frame is not looked at. */
+void armtol_tool_frame(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, armtol_transform *frame);
 
 ARMTOL_INTERFACE_END
 

@@ -52,8 +52,8 @@ void binding_say_nothing_left(const armtol_question *question, double q[], doubl
  * Where the tool is in each pose: n_poses x 4 x 4, row-major. *failed is the pose that the status is about. Errors: as of
  * armtol_arm_place.
  */
-armtol_status binding_forward(const armtol_arm *arm, const double offset[3], const double q[], size_t n_poses, double frames[],
-                              size_t *failed);
+armtol_status binding_forward(const armtol_arm *arm, const armtol_tool_point *tool, const double q[], size_t n_poses,
+                              double frames[], size_t *failed);
 
 /*
  * A of each pose, n_poses x 6 x n_columns, row-major: to the bit that of armtol_tool_matrix for the placed links. Errors:

@@ -1,8 +1,7 @@
 /* Many poses of one arm at once. */
 
-#include "armtol/link_transform.h"
 #include "armtol/poses.h"
-#include "armtol/transform.h"
+#include "armtol/tool_point.h"
 #include "python/binding.h"
 
 #include <math.h>
@@ -11,18 +10,10 @@
 
 /* ---- where the tool is ---- */
 
-static void put_frame(const armtol_transform *frame, const double offset[3], double put[16])
+armtol_status binding_forward(const armtol_arm *arm, const armtol_tool_point *tool, const double q[], size_t n_poses,
+                              double frames[], size_t *failed)
 {
-    memcpy(put, frame->m, 16 * sizeof *put);
-    for (int i = 0; i < 3; i++) {
-        const double *row = frame->m[i];
-        put[4 * i + 3] = row[3] + (row[0] * offset[0] + row[1] * offset[1] + row[2] * offset[2]);
-    }
-}
-
-armtol_status binding_forward(const armtol_arm *arm, const double offset[3], const double q[], size_t n_poses, double frames[],
-                              size_t *failed)
-{
+    armtol_transform frame;
     const size_t n_joints = armtol_arm_joint_count(arm);
     armtol_link *placed = calloc(arm->n_links, sizeof *placed);
     armtol_status status = placed != NULL ? ARMTOL_OK : ARMTOL_NO_MEMORY;
@@ -30,8 +21,8 @@ armtol_status binding_forward(const armtol_arm *arm, const double offset[3], con
         *failed = pose;
         status = armtol_arm_place(arm, q + pose * n_joints, n_joints, placed);
         if (status == ARMTOL_OK) {
-            const armtol_transform frame = armtol_chain_transform(placed, arm->n_links, &armtol_errata_none);
-            put_frame(&frame, offset, frames + 16 * pose);
+            armtol_tool_frame(placed, arm->n_links, tool, &frame);
+            memcpy(frames + 16 * pose, frame.m, sizeof frame.m);
         }
     }
     free(placed);

@@ -1,6 +1,5 @@
 #include "lib/engine/place.h"
 
-#include "armtol/link_transform.h"
 #include "armtol/tool_matrix.h"
 #include "lib/engine/check.h"
 #include "lib/engine/drives.h"
@@ -97,14 +96,7 @@ double armtol_answer_shift(const armtol_answer *answer, size_t pose, size_t comp
 
 void armtol_answer_frame(const armtol_answer *answer, size_t pose, armtol_transform *frame)
 {
-    const armtol_transform last =
-        armtol_chain_transform(armtol_answer_links(answer, pose), answer->n_links, &armtol_errata_none);
-    *frame = last;
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            frame->m[i][3] += last.m[i][j] * answer->tool.offset[j];
-        }
-    }
+    armtol_tool_frame(armtol_answer_links(answer, pose), answer->n_links, &answer->tool, frame);
 }
 
 void armtol_answer_tool(const armtol_answer *answer, size_t pose, double point[3])

@@ -114,7 +114,7 @@ def floats(what: str, values: ArrayLike, shape: tuple[int, ...] | None = None) -
         raise TypeError(f"{what}: {array.dtype} is no type of real numbers")
     if shape is not None and array.shape != shape:
         raise ValueError(f"{what}: shape {array.shape}, expected {shape}")
-    return np.ascontiguousarray(array, dtype=np.float64)
+    return np.asarray(array, dtype=np.float64, order="C")
 
 
 def poses(q: ArrayLike, n_joints: int) -> Floats:
@@ -156,7 +156,10 @@ def copied(chars: Any, *shape: int) -> Floats:
 
 
 def vector(what: str, values: ArrayLike | None) -> Floats:
-    return np.zeros(3) if values is None else floats(what, values, (3,))
+    array = np.zeros(3) if values is None else floats(what, values, (3,))
+    if not np.isfinite(array).all():
+        raise_status(lib.ARMTOL_NOT_FINITE, what)
+    return array
 
 
 def names_text(what: str, names: dict[str, Any] | str) -> bytes:

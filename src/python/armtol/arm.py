@@ -285,11 +285,11 @@ class Arm:
         """
         values = poses(q, self.n_joints)
         frames = output(out, (*values.shape[:-1], 4, 4))
-        offset = vector("tool_offset", tool_offset)
+        tool = tool_point(tool_offset, "base")
         no_overlap(frames, values)
         failed = ffi.new("size_t *")
         count = math.prod(values.shape[:-1])
-        status = lib.binding_forward(self._c, pointer(offset), pointer(values), count, pointer(frames), failed)
+        status = lib.binding_forward(self._c, tool, pointer(values), count, pointer(frames), failed)
         raise_status(status, f"pose {failed[0]}")
         return frames
 
