@@ -20,7 +20,8 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 .PHONY: page test-page check-nlopt
 .PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean
 .PHONY: setup
-
+.PHONY: page test-page
+.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
 	$(call quietly,$(COMPILE),compile)
@@ -127,6 +128,19 @@ page: all
 test-page: page
 	@.ci/setup chromium
 	@BUILD=$(BUILD) node --test tests/page/golden.test.mjs tests/page/page.test.mjs
+
+# The Python package (docs/python.md): a wheel in build/wheel; its tests, in an environment of their own, with Pinocchio
+# to compare with. Needs Python and its package index.
+wheel:
+	@.ci/setup cc make venv --wish expat
+	@src/python/make-wheel "$(CURDIR)" "$(abspath $(BUILD))"
+
+test-python: wheel
+	@tests/python/run "$(CURDIR)" "$(abspath $(BUILD))"
+
+# How much Python adds to a call of the library.
+bench-python: wheel
+	@tests/python/run "$(CURDIR)" "$(abspath $(BUILD))" --bench
 
 # Which lines and branches the tests run. Needs gcc and gcovr.
 coverage: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
