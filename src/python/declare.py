@@ -10,34 +10,34 @@ from pathlib import Path
 
 import cffi
 
-# A header stands behind those that it needs.
-PUBLIC = """interface status errata conventions link transform link_transform link_jacobian twist_transform error_matrix
-    column_order bounds machining tool_point loads arm axes craig euler robots solve optimum sphere tool_matrix tool_error
-    poses sampler corners question answer budget share_interval verification""".split()
-OTHER = ["armtol/tables/arm_model.h", "1987/analysis.h", "1987/program.h", "python/binding.h"]
+HEADERS = ["armtol/armtol.h", "armtol/tables/arm_model.h", "1987/analysis.h", "1987/program.h", "python/binding.h"]
 
 # What the page asks and Python too (page/wasm/page.h), and what the engine calls back.
 MORE = """
 int page_open(const char *path);
 const char *page_bench(const char *corrected);
-const char *armtol_version(void);
 extern "Python" bool armtol_python_progress(void *context, uint64_t done, uint64_t total);
 """
 
 
-def declarations(header: Path) -> str:
-    text = re.sub(r"/\*.*?\*/", "", header.read_text(), flags=re.DOTALL)
-    text = re.sub(r"\\\n", " ", text)
+def declarations(source: Path, name: str, seen: set[str]) -> str:
+    """Those of a header, behind those of the headers that it includes and that were not seen before."""
+    path = next((source / folder / name for folder in ("include", "src") if (source / folder / name).exists()), None)
+    if path is None or name in seen:
+        return ""
+    seen.add(name)
+    text = path.read_text()
+    before = [declarations(source, included, seen) for included in re.findall(r'^#include "(.*)"', text, re.MULTILINE)]
+    text = re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL).replace("\\\n", " ")
     text = re.sub(r"^[ \t]*#.*$", "", text, flags=re.MULTILINE)
-    return re.sub(r"\bARMTOL_INTERFACE_(BEGIN|END)\b", "", text)
+    return "".join(before) + re.sub(r"\bARMTOL_INTERFACE_(BEGIN|END)\b", "", text)
 
 
 def main(source: Path, written: Path) -> None:
-    headers = [source / "include/armtol" / f"{name}.h" for name in PUBLIC] + [source / "src" / name for name in OTHER]
+    seen: set[str] = set()
     ffi = cffi.FFI()
-    ffi.cdef("\n".join(declarations(header) for header in headers) + MORE)
-    includes = ["armtol/armtol.h", "page/wasm/page.h", *OTHER]
-    ffi.set_source("armtol._native", "\n".join(f'#include "{name}"' for name in includes))
+    ffi.cdef("".join(declarations(source, name, seen) for name in HEADERS) + MORE)
+    ffi.set_source("armtol._native", "".join(f'#include "{name}"\n' for name in [*HEADERS, "page/wasm/page.h"]))
     ffi.emit_c_code(str(written))
 
 

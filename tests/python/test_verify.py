@@ -47,7 +47,15 @@ def test_what_progress_raises_is_raised(answer):
         answer.verify(ENDLESS, progress=progress)
 
 
-def test_ctrl_c_ends_it(answer):
+@pytest.fixture
+def interruptible():
+    """A shell has what it runs in the background ignore SIGINT, and Python keeps to that."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+def test_ctrl_c_ends_it(answer, interruptible):
     """Without a progress of the caller's, too."""
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
     began = time.monotonic()
