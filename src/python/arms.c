@@ -128,7 +128,8 @@ bool binding_drives(const armtol_arm *arm, const char *text, armtol_drive drives
 
 /* ---- nothing left ---- */
 
-void binding_say_nothing_left(const armtol_question *question, double q[], double least[], bool is_given, size_t row)
+void binding_say_nothing_left(const armtol_question *question, double q[], double least[], bool is_given,
+                              const armtol_fault *fault)
 {
     const cli_options options = {.given = is_given ? "" : NULL};
     request request = {
@@ -141,5 +142,5 @@ void binding_say_nothing_left(const armtol_question *question, double q[], doubl
         .loading = question->loading != NULL ? *question->loading : armtol_loading_standard,
     };
     memcpy(request.accuracy, question->accuracy, sizeof request.accuracy);
-    nothing_left(&request, row);
+    nothing_left(&request, fault->number);
 }

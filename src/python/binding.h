@@ -43,10 +43,11 @@ bool binding_tolerances(const armtol_arm *arm, const char *text, double toleranc
 bool binding_drives(const armtol_arm *arm, const char *text, armtol_drive drives[]);
 
 /*
- * Says, in a message, by how much drives and given tolerances exceed the accuracy: after ARMTOL_NOTHING_LEFT about `row`.
+ * Says, in a message, by how much drives and given tolerances exceed the accuracy: after ARMTOL_NOTHING_LEFT in `fault`.
  * q and least are those of the question, which has both.
  */
-void binding_say_nothing_left(const armtol_question *question, double q[], double least[], bool is_given, size_t row);
+void binding_say_nothing_left(const armtol_question *question, double q[], double least[], bool is_given,
+                              const armtol_fault *fault);
 
 /*
  * Where the tool is in each pose: n_poses x 4 x 4, row-major. *failed is the pose that the status is about. Errors: as of

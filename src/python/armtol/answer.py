@@ -436,7 +436,7 @@ class _Question:
         if fault.status == lib.ARMTOL_NOTHING_LEFT:
             q, least = pointer(self.q), pointer(self.least)
             try:
-                reading(lambda: lib.binding_say_nothing_left(self.c, q, least, self.given, fault.number))
+                reading(lambda: lib.binding_say_nothing_left(self.c, q, least, self.given, fault))
             except ArmtolError as said:
                 raise ArmtolError(str(said), status_text(fault.status), about_fault(fault)) from None
         raise_status(fault.status, about_fault(fault))
