@@ -18,10 +18,10 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz inverse mutants robots
 .PHONY: page test-page check-nlopt
+.PHONY: wheel test-python bench-python
 .PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean
 .PHONY: setup
-.PHONY: page test-page
-.PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean setup
+
 all: setup $(BUILD)/wished-expat
 	$(call quietly,$(CONFIGURE),configure)
 	$(call quietly,$(COMPILE),compile)

@@ -207,6 +207,19 @@ def test_a_urdf_by_base_and_tip(source):
     assert np.isfinite(panda.limits).all()
 
 
+def test_links_have_names(source):
+    """That of the joint in a URDF, and those of a table's column, which lists may use."""
+    panda = Arm.from_urdf(source / "tests/armtol/panda.urdf", tip="panda_link7")
+    assert panda.names[:2] == ["panda_joint1", "panda_joint2"]
+    row = {"joint": "theta", "a": 1, "alpha": 0, "d": 0, "theta": 0}
+    named = Arm.from_dh([{**row, "name": "upper"}, {**row, "name": "fore, arm"}, row])
+    assert named.names == ["upper", "fore, arm", None]
+    assert pickle.loads(pickle.dumps(named)).names == named.names
+    answer = named.allocate([0, 1, 0], [0.1] * 6, weights={"upper.motors": 2})
+    assert answer.tolerances.tobytes() == named.allocate([0, 1, 0], [0.1] * 6, weights={"0.motors": 2}).tolerances.tobytes()
+    assert Arm.from_dh(ROWS).names == [None] * 4
+
+
 def test_frames_far_off_are_laid_anew_unless_they_are_to_stay(source):
     far = source / "golden/armtol/far.csv"
     assert Arm.from_table(far).links != Arm.from_table(far, as_is=True).links

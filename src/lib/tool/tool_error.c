@@ -22,6 +22,7 @@
  *    Turns up to pi about any axis to 3e-15 (test_known_rotations). What rounding makes of a chain is bounded in
  *    rounding.c, and the bound held against long double (test_the_bound_holds_for_all_three_computations).
  */
+
 armtol_link built_link(const armtol_link *link, const double parameter_errors[], size_t *count)
 {
     armtol_link built = *link;

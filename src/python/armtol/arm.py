@@ -234,6 +234,12 @@ class Arm:
         ]
 
     @property
+    def names(self) -> list[str | None]:
+        """What the links, and their joints, are called; None for one without a name."""
+        known = self._c.names
+        return [text(known[i]) if known and known[i] else None for i in range(self.n_links)]
+
+    @property
     def limits(self) -> Floats:
         """The least and the largest value of each joint, (n_joints, 2); infinite where not known.
 
