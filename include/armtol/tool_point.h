@@ -19,8 +19,18 @@ typedef struct armtol_tool_point {
 /* The origin of the last frame, counted along the base's axes. */
 extern const armtol_tool_point armtol_tool_origin;
 
-/* Where the tool of placed links is: the last frame's orientation, at the tool point. tool->frame is not looked at. */
-void armtol_tool_frame(const armtol_link links[], size_t n_links, const armtol_tool_point *tool, armtol_transform *frame);
+/*
+ * Where the tool is.
+ *
+ * Given:
+ *    links, n_links   the arm, placed
+ *    tool             the tool point; its frame is not looked at
+ *
+ * Returned:
+ *    frame            the last frame's orientation, at the tool point, in the base's coordinates
+ */
+void armtol_tool_frame(const armtol_link links[], size_t n_links, const armtol_tool_point *tool,
+                       armtol_transform *frame);
 
 ARMTOL_INTERFACE_END
 

@@ -22,8 +22,8 @@ void message(const char *format, ...) LIKE_PRINTF(1, 2);
 void message_note(const char *format, ...) LIKE_PRINTF(1, 2);
 
 /*
- * Whole texts, of messages without the name, go to `take` in place of stderr; NULL: to stderr again. For a caller that is
- * no program on a terminal.
+ * Whole texts, of messages without the name, go to `take` in place of stderr; NULL: to stderr again. For a caller that
+ * is no program on a terminal.
  */
 void message_hand_to(void (*take)(const char *text));
 

@@ -1,7 +1,7 @@
 """Writes the C code of the module _native: declare.py SOURCE FILE
 
-What is declared is read from the headers, so that it stands nowhere twice. cffi's parser knows no preprocessor: lines that
-are the preprocessor's are left out, and the macros that mark the interface.
+What is declared is read from the headers, so that it stands nowhere twice. cffi's parser knows no preprocessor: lines
+that are the preprocessor's are left out, and the macros that mark the interface.
 """
 
 import re

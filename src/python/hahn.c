@@ -10,6 +10,7 @@ static armtol_status run_steps(analysis *run, const double wish[], const double 
                                const double residue[3])
 {
     double stored_wish[6], stored[6];
+    armtol_residue words = {{0}};
     const armtol_errata *errata = &run->errata;
     for (size_t i = 0; i < run->robot->n_wish; i++) {
         stored_wish[i] = armtol_stored(errata, wish[i]);
@@ -17,14 +18,10 @@ static armtol_status run_steps(analysis *run, const double wish[], const double 
     for (int i = 0; i < 6; i++) {
         stored[i] = armtol_stored(errata, accuracy[i]);
     }
-    armtol_status status = analysis_place(run, stored_wish);
-    if (status == ARMTOL_OK && residue != NULL) {
-        const armtol_residue words = {{residue[0], residue[1], residue[2]}};
-        status = analysis_matrix_with_residue(run, &words);
-    } else if (status == ARMTOL_OK) {
-        status = analysis_matrix(run);
+    if (residue != NULL) {
+        memcpy(words.diagonal, residue, sizeof words.diagonal);
     }
-    return status == ARMTOL_OK ? analysis_tolerances(run, stored, armtol_stored(errata, delta)) : status;
+    return analysis_run(run, stored_wish, residue != NULL ? &words : NULL, stored, armtol_stored(errata, delta));
 }
 
 analysis *binding_run(const program *program, const double wish[], const double accuracy[6], double delta,

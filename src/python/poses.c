@@ -95,10 +95,10 @@ static void put_matrices(const work *work, size_t n_poses, double matrices[])
 {
     const size_t size = 6 * work->poses.n_columns;
     for (size_t pose = 0; pose < n_poses; pose++) {
-        const double *from = work->blocks + pose / ARMTOL_POSE_BLOCK * size * ARMTOL_POSE_BLOCK + pose % ARMTOL_POSE_BLOCK;
+        const double *block = work->blocks + pose / ARMTOL_POSE_BLOCK * size * ARMTOL_POSE_BLOCK;
         double *to = matrices + pose * size;
         for (size_t k = 0; k < size; k++) {
-            to[k] = from[k * ARMTOL_POSE_BLOCK];
+            to[k] = block[k * ARMTOL_POSE_BLOCK + pose % ARMTOL_POSE_BLOCK];
         }
     }
 }

@@ -2,8 +2,8 @@
 
     build/python/bin/python tests/python/bench.py [POSES]
 
-The best of 15 runs each, on one thread. Ends with status 1 where A of all poses, written to `out`, takes more than 3 times
-as long as the library's own blocks. The blocks are the library's fastest form; `out` is (N, 6, n), which has to be sorted.
+The best of 15 runs each, on one thread. Ends with status 1 where A of all poses, written to `out`, takes more than 3
+times as long as the library's own blocks. Those are its fastest form; `out` is (N, 6, n), which has to be sorted.
 """
 
 import sys

@@ -123,16 +123,28 @@ def test_answers_outlive_their_arm_and_their_question():
         (lambda arm: arm.allocate(Q, ACCURACY[:5]), ValueError, r"accuracy: shape \(5,\), expected \(6,\)"),
         (lambda arm: arm.allocate(Q, "fine"), TypeError, "accuracy"),
         (lambda arm: arm.allocate(Q, 1), ValueError, r"accuracy: shape \(\)"),
-        (lambda arm: arm.allocate(Q, [0.5, 0, 0.5, 1, 1, 1]), ArmtolError, "accuracy, dy: a tolerance is not greater than zero"),
+        (
+            lambda arm: arm.allocate(Q, [0.5, 0, 0.5, 1, 1, 1]),
+            ArmtolError,
+            "accuracy, dy: a tolerance is not greater than zero",
+        ),
         (lambda arm: arm.allocate(Q, [np.nan] * 6), ArmtolError, "accuracy, dx"),
         (lambda arm: arm.allocate(np.zeros((0, 6)), ACCURACY), ArmtolError, "the question"),
         (lambda arm: arm.allocate(np.zeros((1, 2, 6)), ACCURACY), ValueError, "q: shape"),
         (lambda arm: arm.allocate([np.inf] * 6, ACCURACY), ArmtolError, "pose 0: a value is not finite"),
-        (lambda arm: arm.allocate(Q, ACCURACY, method="best"), ValueError, "method: 'best', expected one of worst, rss, sphere"),
+        (
+            lambda arm: arm.allocate(Q, ACCURACY, method="best"),
+            ValueError,
+            "method: 'best', expected one of worst, rss, sphere",
+        ),
         (lambda arm: arm.allocate(Q, ACCURACY, method="rss", sigma=0), ArmtolError, "method"),
         (lambda arm: arm.allocate(Q, ACCURACY, method="sphere", delta=9), ArmtolError, "method: .*delta"),
         (lambda arm: arm.allocate(Q, ACCURACY, method="sphere", delta=0), ArmtolError, "method: .*delta"),
-        (lambda arm: arm.allocate(Q, ACCURACY, weights=[1, 2]), ValueError, r"weights: shape \(2,\), expected \(24,\)"),
+        (
+            lambda arm: arm.allocate(Q, ACCURACY, weights=[1, 2]),
+            ValueError,
+            r"weights: shape \(2,\), expected \(24,\)",
+        ),
         (lambda arm: arm.allocate(Q, ACCURACY, weights=[0] * 24), ArmtolError, "weights, column 0"),
         (lambda arm: arm.allocate(Q, ACCURACY, weights={"motor": 2}), ArmtolError, 'weights: unknown name "motor"'),
         (lambda arm: arm.allocate(Q, ACCURACY, weights={"9.alpha": 2}), ArmtolError, "puma560 has no parameter"),
@@ -142,11 +154,19 @@ def test_answers_outlive_their_arm_and_their_question():
         (lambda arm: arm.allocate(Q, ACCURACY, given={"motors": "2..1"}), ArmtolError, "given: .*the least is above"),
         (lambda arm: arm.allocate(Q, ACCURACY, given={"motors": -1}), ArmtolError, "given"),
         (lambda arm: arm.allocate(Q, ACCURACY, least=[2] * 24, largest=[1] * 24), ArmtolError, "given, column 0"),
-        (lambda arm: arm.allocate(Q, ACCURACY, given=np.ones(24)), ArmtolError, "no tolerances: what is given uses .* in pose 1: machining"),
+        (
+            lambda arm: arm.allocate(Q, ACCURACY, given=np.ones(24)),
+            ArmtolError,
+            "no tolerances: what is given uses .* in pose 1: machining",
+        ),
         (lambda arm: arm.allocate(Q, ACCURACY, drives={"play": 1}), ArmtolError, "drives: unknown name"),
         (lambda arm: arm.allocate(Q, ACCURACY, drives=[1]), TypeError, "drives"),
         (lambda arm: arm.allocate(Q, ACCURACY, drives={"compliance": 1}), ArmtolError, "the drive of link 0"),
-        (lambda arm: arm.allocate(Q, ACCURACY, drives={"backlash": 1}), ArmtolError, "the drives alone use .* motor of link"),
+        (
+            lambda arm: arm.allocate(Q, ACCURACY, drives={"backlash": 1}),
+            ArmtolError,
+            "the drives alone use .* motor of link",
+        ),
         (lambda arm: arm.allocate(Q, ACCURACY, payloads=3), TypeError, "payloads: expected a list"),
         (lambda arm: arm.allocate(Q, ACCURACY, payloads=[(1, 2)]), ValueError, "payloads"),
         (lambda arm: arm.allocate(Q, ACCURACY, payloads=[-1]), ArmtolError, "loads"),
@@ -159,7 +179,7 @@ def test_answers_outlive_their_arm_and_their_question():
         (lambda arm: arm.predict(Q, {"lengths": "0..1"}), ArmtolError, "tolerances"),
         (lambda arm: arm.predict(Q, None), ArmtolError, "the question"),
     ],
-)  # fmt: skip
+)
 def test_what_is_wrong_is_said(puma, wrong, error, message):
     with pytest.raises(error, match=message):
         wrong(puma)

@@ -44,7 +44,9 @@ def chain(transform, rows, q):
     return frame
 
 
-@pytest.mark.parametrize(("convention", "transform"), [("paul", paul), ("standard", paul), ("craig", craig), ("modified", craig)])
+@pytest.mark.parametrize(
+    ("convention", "transform"), [("paul", paul), ("standard", paul), ("craig", craig), ("modified", craig)]
+)
 def test_rows_mean_what_the_convention_says(convention, transform, random):
     made = Arm.from_dh(ROWS, convention)
     assert made.n_joints == 4
@@ -132,7 +134,7 @@ def differences(arm, q, frame="base", offset=(0, 0, 0)):
 
 
 def placed_values(arm, q):
-    """What is added to theta or d of each joint: q itself but for the arm above, whose second joint follows the first."""
+    """What is added to theta or d: q itself, but for the arm above, whose second joint follows the first."""
     return [q[0], 1.5 - q[0], -q[1]] if arm.n_joints == 2 and arm.n_links == 3 else q
 
 
@@ -216,7 +218,10 @@ def test_links_have_names(source):
     assert named.names == ["upper", "fore, arm", None]
     assert pickle.loads(pickle.dumps(named)).names == named.names
     answer = named.allocate([0, 1, 0], [0.1] * 6, weights={"upper.motors": 2})
-    assert answer.tolerances.tobytes() == named.allocate([0, 1, 0], [0.1] * 6, weights={"0.motors": 2}).tolerances.tobytes()
+    assert (
+        answer.tolerances.tobytes()
+        == named.allocate([0, 1, 0], [0.1] * 6, weights={"0.motors": 2}).tolerances.tobytes()
+    )
     assert Arm.from_dh(ROWS).names == [None] * 4
 
 
@@ -262,12 +267,32 @@ def test_builtin_arms_are_those_of_the_program(source):
         (lambda arm: arm.forward([0, 0, np.nan, 0, 0, 0]), ArmtolError, "pose 0: a value is not finite"),
         (lambda arm: arm.forward([[0] * 6, [np.inf] * 6]), ArmtolError, "pose 1: a value is not finite"),
         (lambda arm: arm.error_matrix([[0] * 6] * 70 + [[np.inf] * 6]), ArmtolError, "pose 70: a value is not finite"),
-        (lambda arm: arm.error_matrix([0] * 6, frame="world"), ValueError, "frame: 'world', expected 'base' or 'tool'"),
-        (lambda arm: arm.error_matrix([0] * 6, tool_offset=[1, 2]), ValueError, r"tool_offset: shape \(2,\), expected \(3,\)"),
+        (
+            lambda arm: arm.error_matrix([0] * 6, frame="world"),
+            ValueError,
+            "frame: 'world', expected 'base' or 'tool'",
+        ),
+        (
+            lambda arm: arm.error_matrix([0] * 6, tool_offset=[1, 2]),
+            ValueError,
+            r"tool_offset: shape \(2,\), expected \(3,\)",
+        ),
         (lambda arm: arm.error_matrix([0] * 6, tool_offset=[1, 2, np.nan]), ArmtolError, "not finite"),
-        (lambda arm: arm.forward([0] * 6, tool_offset=[1, 2, np.inf]), ArmtolError, "tool_offset: a value is not finite"),
-        (lambda arm: arm.forward([0] * 6, out=np.zeros((3, 4))), ValueError, r"out: shape \(3, 4\), expected \(4, 4\)"),
-        (lambda arm: arm.forward([0] * 6, out=np.zeros((4, 4), np.float32)), TypeError, "out: expected a numpy array of float64"),
+        (
+            lambda arm: arm.forward([0] * 6, tool_offset=[1, 2, np.inf]),
+            ArmtolError,
+            "tool_offset: a value is not finite",
+        ),
+        (
+            lambda arm: arm.forward([0] * 6, out=np.zeros((3, 4))),
+            ValueError,
+            r"out: shape \(3, 4\), expected \(4, 4\)",
+        ),
+        (
+            lambda arm: arm.forward([0] * 6, out=np.zeros((4, 4), np.float32)),
+            TypeError,
+            "out: expected a numpy array of float64",
+        ),
         (lambda arm: arm.forward([0] * 6, out=[[0] * 4] * 4), TypeError, "out: expected a numpy array"),
         (lambda arm: arm.forward([0] * 6, out=np.zeros((4, 4)).T), ValueError, "C-contiguous"),
         (lambda arm: arm.forward([0] * 6, out=np.broadcast_to(0.0, (4, 4))), ValueError, "out:"),
@@ -289,7 +314,7 @@ def test_builtin_arms_are_those_of_the_program(source):
         (lambda arm: Arm.from_table("/"), IsADirectoryError, "directory"),
         (lambda arm: arm.table("denavit"), ValueError, "convention: 'denavit'"),
     ],
-)  # fmt: skip
+)
 def test_what_is_wrong_is_said(puma, wrong, error, message):
     with pytest.raises(error, match=message):
         wrong(puma)

@@ -1,4 +1,4 @@
-"""The same bits as the C program: golden/armtol, what `armtol --json` printed, held against the package, double by double.
+"""The same bits as the C program: golden/armtol, what `armtol --json` printed, held against the package.
 
 The file's numbers read back as the doubles that they were; those in degrees are the radians' by one product and one
 quotient, which Python does as C.
@@ -76,7 +76,11 @@ class Golden:
 
     def arguments(self):
         options = self.options
-        chosen = {"accuracy": self.accuracy(), "method": options.get("method", "worst"), "frame": options.get("frame", "base")}
+        chosen = {
+            "accuracy": self.accuracy(),
+            "method": options.get("method", "worst"),
+            "frame": options.get("frame", "base"),
+        }
         if "tool-offset" in options:
             chosen["tool_offset"] = [float(x) for x in options["tool-offset"].split(",")]
         if options["payload"]:
@@ -93,7 +97,9 @@ class Golden:
         with (self.folder / self.options["tolerances"]).open() as file:
             table = {(row["link"], row["parameter"]): row for row in csv.DictReader(file)}
         rows = [table[str(x.link), x.name] for x in self.arm.parameters]
-        return self.arm.predict(self.q(), [self.taken(float(x["tolerance"]), x["unit"] == "deg") for x in rows], **self.arguments())
+        return self.arm.predict(
+            self.q(), [self.taken(float(x["tolerance"]), x["unit"] == "deg") for x in rows], **self.arguments()
+        )
 
 
 def same(found, expected):
@@ -113,7 +119,12 @@ def test_the_answer_is_that_of_the_program(golden):
     assert [(x.link, x.name, x.role) for x in answer.parameters] == [
         (x["link"], x["parameter"], x["role"]) for x in expected["parameters"]
     ]
-    for key, name in (("worst", "worst_case"), ("deviation", "standard_deviation"), ("remainder", "remainder"), ("shift", "load")):
+    for key, name in (
+        ("worst", "worst_case"),
+        ("deviation", "standard_deviation"),
+        ("remainder", "remainder"),
+        ("shift", "load"),
+    ):
         values = golden.components([getattr(x, key) for x in answer.components])
         assert same(values, [x[name] for x in expected["components"]])
     assert same([x.binds for x in answer.components], [x["binds"] for x in expected["components"]])
@@ -152,10 +163,14 @@ def test_loads_budget_and_verification(golden):
         pose, load = wanted["pose"] - 1, wanted["load"] - 1
         assert place == pose * answer.sag.shape[1] + load
         assert golden.components(answer.sag[pose, load]) == wanted["droop"]
-        assert [answer.moments[pose, load, x["link"]] for x in wanted["joints"]] == [x["moment"] for x in wanted["joints"]]
+        assert [answer.moments[pose, load, x["link"]] for x in wanted["joints"]] == [
+            x["moment"] for x in wanted["joints"]
+        ]
     if "budget" in expected:
         rows = answer.budget.rows
-        assert [(x.link, x.role, list(x[2:])) for x in rows] == [(x["link"], x["role"], x["shares"]) for x in expected["budget"]]
+        assert [(x.link, x.role, list(x[2:])) for x in rows] == [
+            (x["link"], x["role"], x["shares"]) for x in expected["budget"]
+        ]
     if "verification" in expected:
         wanted = expected["verification"]
         found = answer.verify(wanted["asked"], wanted["seed"])

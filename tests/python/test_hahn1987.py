@@ -72,17 +72,25 @@ def test_words_on_the_stack():
     ("wrong", "error", "message"),
     [
         (lambda: hahn1987.intella((2000, 0, 0, 0, 0, 0), ACCURACY, DELTA), ArmtolError, "intella: out of reach"),
-        (lambda: hahn1987.intella((200, 200), ACCURACY, DELTA), ValueError, r"position: shape \(2,\), expected \(6,\)"),
+        (
+            lambda: hahn1987.intella((200, 200), ACCURACY, DELTA),
+            ValueError,
+            r"position: shape \(2,\), expected \(6,\)",
+        ),
         (lambda: hahn1987.adpta((200, 200, 0, 0, 0, 0), ACCURACY, DELTA), ValueError, r"expected \(4,\)"),
         (lambda: hahn1987.adpta((200, np.nan, 0, 0), ACCURACY, DELTA), ArmtolError, "not finite"),
         (lambda: hahn1987.adpta((200, 200, 0, 0), ACCURACY[:3], DELTA), ValueError, "accuracy: shape"),
         (lambda: hahn1987.adpta((200, 200, 0, 0), [-1] * 6, DELTA), ArmtolError, "not greater than zero"),
         (lambda: hahn1987.adpta((200, 200, 0, 0), ACCURACY, 5), ArmtolError, "delta"),
         (lambda: hahn1987.adpta((200, 200, 0, 0), ACCURACY, DELTA, residue=[1]), ValueError, "residue: shape"),
-        (lambda: hahn1987.adpta((200, 200, 0, 0), ACCURACY, DELTA, fix="typo"), ArmtolError, "fix: 'typo': no erratum has that name"),
+        (
+            lambda: hahn1987.adpta((200, 200, 0, 0), ACCURACY, DELTA, fix="typo"),
+            ArmtolError,
+            "fix: 'typo': no erratum has that name",
+        ),
         (lambda: hahn1987.reproduce(["labels", "typo"]), ArmtolError, "'typo': no erratum"),
     ],
-)  # fmt: skip
+)
 def test_what_is_wrong_is_said(wrong, error, message):
     with pytest.raises(error, match=message):
         wrong()

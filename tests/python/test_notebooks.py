@@ -1,4 +1,4 @@
-"""The notebooks run from top to bottom, and are stored without outputs, which could go stale. Code in documents runs."""
+"""The notebooks run, and are stored without outputs, which could go stale. Code in documents runs."""
 
 import re
 import subprocess

@@ -1,4 +1,4 @@
-"""Kinematics of tables, as the Robotics Toolbox for Python and spatialmath have them. Compared where they are installed."""
+"""Kinematics of tables, as the Robotics Toolbox for Python and spatialmath have them, where they are installed."""
 
 import numpy as np
 import pytest

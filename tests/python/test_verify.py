@@ -92,7 +92,11 @@ def test_answers_on_several_threads(puma, random):
 
     def work(q):
         answer = puma.allocate(q, [0.5] * 3 + [1e-3] * 3, weights={"motors": 2})
-        return answer.tolerances.tobytes(), answer.verify(5000).quantiles.tobytes(), type(puma).from_text(puma.table()).table()
+        return (
+            answer.tolerances.tobytes(),
+            answer.verify(5000).quantiles.tobytes(),
+            type(puma).from_text(puma.table()).table(),
+        )
 
     alone = [work(q) for q in poses]
     together = [None] * len(poses)

@@ -21,7 +21,7 @@ ArrayLike = npt.ArrayLike
 Names = Union[str, "dict[str, float | str]", ArrayLike, None]
 
 COMPONENTS = ("dx", "dy", "dz", "wx", "wy", "wz")
-"""The components of the tool's error: three of its point, in the arm's unit of length, and three rotations in radians."""
+"""The components of the tool's error: three of its point, in the arm's unit, and three rotations in radians."""
 
 _ABOUT = {
     lib.ARMTOL_ABOUT_QUESTION: "the question",
@@ -47,8 +47,8 @@ _reading = threading.Lock()
 class ArmtolError(ValueError):
     """What the C library could not do, in its words.
 
-    `status` is the text of its status, as "an accuracy or a tolerance is not positive", or None where a table, a URDF or a
-    list was wrong: the message then says what and where. `about` says what of the question it is about.
+    `status` is the text of its status, as "a value is not finite", or None where a table, a URDF or a list was wrong:
+    the message then says what and where. `about` says what of the question it is about.
     """
 
     def __init__(self, message: str, status: str | None = None, about: str | None = None) -> None:
@@ -168,7 +168,9 @@ def names_text(what: str, names: dict[str, Any] | str) -> bytes:
         for key in names:
             if not isinstance(key, str):
                 raise TypeError(f"{what}: {key!r} is no name")
-        names = ",".join(f"{key}={value if isinstance(value, str) else repr(float(value))}" for key, value in names.items())
+        names = ",".join(
+            f"{key}={value if isinstance(value, str) else repr(float(value))}" for key, value in names.items()
+        )
     if "\0" in names:
         raise ValueError(f"{what}: embedded null character")
     return names.encode()

@@ -165,7 +165,7 @@ class Verification:
         return html_table(caption, self._head, self._rows)
 
     def plot(self, ax: Any = None) -> Any:
-        """Quantiles of each component over its accuracy, where it has one, else over its worst corner; matplotlib's axes."""
+        """Quantiles of components over their accuracy or, where there is none, worst corner; matplotlib's axes."""
         ax = axes_or_new(ax)
         scale = np.where(np.isfinite(self.accuracy), self.accuracy, self.worst_corner)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -254,8 +254,8 @@ class Answer:
         """Draws n arms, every parameter evenly within its tolerance, and computes where their tools are, exactly.
 
         threads   at most; None: as many as this process may use. The result does not depend on it
-        progress  called now and then with the arms done and n, on the calling thread; what is False, and not None, ends the
-                  work: the arms drawn until then count. What it raises is raised
+        progress  called now and then with the arms done and n, on the calling thread; what is False, and not None, ends
+                  the work: the arms drawn until then count. What it raises is raised
 
         Ctrl-C raises KeyboardInterrupt. The interpreter's lock is released while the library works. ArmtolError where a
         component with an accuracy depends on a parameter without a bound.
@@ -279,13 +279,16 @@ class Answer:
 
     @property
     def _rows(self) -> list[tuple[Any, ...]]:
-        set_by = np.where(self.given, "given", np.where(self.held > 0, "largest", np.where(self.held < 0, "least", "accuracy")))
+        set_by = np.where(
+            self.given, "given", np.where(self.held > 0, "largest", np.where(self.held < 0, "least", "accuracy"))
+        )
         return [(*x, float(self.tolerances[k]), str(set_by[k])) for k, x in enumerate(self.parameters)]
 
     _head = ("link", "parameter", "role", "unit", "tolerance", "set by")
 
     def __repr__(self) -> str:
-        return f"<armtol.Answer: {self.arm.name}, {self.method}, {len(self.matrix)} poses, {len(self.tolerances)} tolerances>"
+        counts = f"{len(self.matrix)} poses, {len(self.tolerances)} tolerances"
+        return f"<armtol.Answer: {self.arm.name}, {self.method}, {counts}>"
 
     def to_frame(self) -> Any:
         """A pandas data frame of the tolerances, a row a parameter."""
@@ -297,7 +300,7 @@ class Answer:
         )
 
     def plot(self, ax: Any = None) -> Any:
-        """The tolerances as bars, on a logarithmic scale, lengths and angles in colours of their own; matplotlib's axes."""
+        """The tolerances as bars, on a logarithmic scale, a colour for each unit; matplotlib's axes."""
         ax = axes_or_new(ax)
         names = [f"{x.link} {x.name}" for x in self.parameters]
         for unit in dict.fromkeys(x.unit for x in self.parameters):

@@ -95,8 +95,8 @@ def _lists_of_rows(rows: Any, joints: str | None, columns: Sequence[str]) -> tup
 class Arm:
     """An arm: a table of links, and what is known of its drives and masses. It does not change.
 
-    Lengths are in `unit`, the arm's own; angles are in radians. Make one by `builtin`, `from_dh`, `from_table`, `from_urdf`
-    or `from_text`. Arms can be pickled and copied.
+    Lengths are in `unit`, the arm's own; angles are in radians. Make one by `builtin`, `from_dh`, `from_table`,
+    `from_urdf` or `from_text`. Arms can be pickled and copied.
     """
 
     def __init__(self, model: Any) -> None:
@@ -131,16 +131,17 @@ class Arm:
     ) -> Arm:
         """An arm from Denavit-Hartenberg parameters.
 
-        rows        one a link: dicts with the columns of an arm's table (docs/arm-files.md: joint, a, alpha, d, theta, and
-                    kind, beta, low, high, backlash, mass ...), or an array of numbers, (n, 4)
+        rows        one a link: dicts with the columns of an arm's table (docs/arm-files.md: joint, a, alpha, d, theta,
+                    and kind, beta, low, high, backlash, mass ...), or an array of numbers, (n, 4)
         convention  "paul" (also "standard", "distal"), "craig" ("modified", "proximal"), or "hayati": Paul's with beta
         joints      with an array: a letter a row, R (revolute), P (prismatic) or F (fixed); all R where left out
-        columns     with an array: what its columns are; ("a", "alpha", "d", "theta"), and "beta" behind them for "hayati"
+        columns     with an array: what its columns are; ("a", "alpha", "d", "theta"), and "beta" behind them for
+                    "hayati"
         unit        of lengths: "mm", "m" or "in"
         angle       "rad" or "deg"
 
-        theta of a revolute joint, and d of a prismatic one, are those at joint value 0. The C library reads the rows as it
-        reads a table: ArmtolError says which cell is wrong, the head of the table being line 4.
+        theta of a revolute joint, and d of a prismatic one, are those at joint value 0. The C library reads the rows as
+        it reads a table: ArmtolError says which cell is wrong, the head of the table being line 4.
         """
         hayati = convention == "hayati"
         if columns is None:
@@ -152,7 +153,7 @@ class Arm:
 
     @classmethod
     def from_table(cls, path: str | os.PathLike[str], *, as_is: bool = False) -> Arm:
-        """The arm of a file with a table of links (docs/arm-files.md). as_is: frames far off the arm are not laid anew."""
+        """The arm of a file with a table of links (docs/arm-files.md). as_is: frames far off it are not laid anew."""
         return cls._read(c_path(path), as_is=as_is)
 
     @classmethod
@@ -161,8 +162,8 @@ class Arm:
     ) -> Arm:
         """The chain of a URDF from link `base` to link `tip` (docs/urdf.md), in metres.
 
-        What is left out has to be the only one that it can be. snap: what is nearly parallel or nearly meets is taken for
-        exact within it, 0 to 0.01.
+        What is left out has to be the only one that it can be. snap: what is nearly parallel or nearly meets is taken
+        for exact within it, 0 to 0.01.
         """
         if not 0 <= snap <= 0.01:
             raise ValueError(f"snap: {snap}, expected 0 to 0.01")
@@ -230,7 +231,8 @@ class Arm:
         """The table, all joints at 0."""
         names = {lib.ARMTOL_FIXED: "fixed", lib.ARMTOL_REVOLUTE: "revolute", lib.ARMTOL_PRISMATIC: "prismatic"}
         return [
-            Link(text(lib.armtol_kind_name(x.kind)), names[x.joint], x.a, x.alpha, x.d, x.theta, x.beta) for x in self._links
+            Link(text(lib.armtol_kind_name(x.kind)), names[x.joint], x.a, x.alpha, x.d, x.theta, x.beta)
+            for x in self._links
         ]
 
     @property
@@ -268,7 +270,7 @@ class Arm:
         )
 
     def table(self, convention: str = "paul") -> str:
-        """The arm's table as text, in radians; `from_text` gives the same arm to the bit. convention: "paul" or "craig"."""
+        """The arm's table as text, in radians, by convention "paul" or "craig"; `from_text` reads it."""
         if convention not in ("paul", "craig"):
             raise ValueError(f"convention: {convention!r}, expected 'paul' or 'craig'")
         chars = reading(lambda: lib.binding_arm_table(self._c, convention == "craig"))
@@ -278,7 +280,9 @@ class Arm:
         return f"<armtol.Arm {self.name}: {self.n_links} links, {self.n_joints} joints, {self.unit}>"
 
     def _repr_html_(self) -> str:
-        return html_table(f"{self.title}, {self.unit} and rad", ("link", *Link._fields), [(i, *x) for i, x in enumerate(self.links)])
+        return html_table(
+            f"{self.title}, {self.unit} and rad", ("link", *Link._fields), [(i, *x) for i, x in enumerate(self.links)]
+        )
 
     # ---- what it does ----
 
@@ -309,8 +313,9 @@ class Arm:
     ) -> Floats:
         """A, by which small errors of the parameters move the tool: (..., 6, n_parameters) for q, (..., n_joints).
 
-        Rows are dx, dy, dz of the tool point and wx, wy, wz, rotations, along the axes of the base or, with frame="tool",
-        of the tool where it should be. Columns are `parameters`. Lengths in the arm's unit, angles in radians.
+        Rows are dx, dy, dz of the tool point and wx, wy, wz, rotations, along the axes of the base or, with
+        frame="tool", of the tool where it should be. Columns are `parameters`. Lengths in the arm's unit, angles in
+        radians.
 
         q            radians, or lengths for prismatic joints
         tool_offset  the tool point from the origin of the last frame, in its coordinates, (3,)
@@ -353,11 +358,11 @@ class Arm:
 
         q            one pose, (n_joints,), or several that hold at once, (N, n_joints)
         accuracy     dx, dy, dz, wx, wy, wz: each > 0, None or infinity for a component that is free
-        method       "worst": the largest that guarantee it; "rss": the largest with which `sigma` standard deviations keep
-                     to it; "sphere": the report's, with `delta` (None: to be chosen)
+        method       "worst": the largest that guarantee it; "rss": the largest with which `sigma` standard deviations
+                     keep to it; "sphere": the report's, with `delta` (None: to be chosen)
         weights      what precision costs: a value a parameter, or names: {"motors": 3, "3.alpha": 10}
-        given        tolerances that are known, or in a range: names, {"motors": 0.02, "lengths": "0.02..0.2"}, or a text
-                     "motors=0.02,angles>=0.01"
+        given        tolerances that are known, or in a range: names, {"motors": 0.02, "lengths": "0.02..0.2"}, or a
+                     text "motors=0.02,angles>=0.01"
         least, largest  the same as arrays of a value a parameter; where both are the same it is given, and 0 is exact
         frame        "base" or "tool": the axes along which errors count
         tool_offset  the tool point from the origin of the last frame, in its coordinates, (3,)
@@ -372,10 +377,24 @@ class Arm:
         where there are no such tolerances.
         """
         return ask(
-            self, q, accuracy=accuracy, method=method, sigma=sigma, delta=delta, weights=weights, given=given, least=least,
-            largest=largest, tool=tool_point(tool_offset, frame), drives=drives, payloads=payloads, gravity=gravity,
-            force=force, compensated=compensated, drives_apart=drives_apart,
-        )  # fmt: skip
+            self,
+            q,
+            accuracy=accuracy,
+            method=method,
+            sigma=sigma,
+            delta=delta,
+            weights=weights,
+            given=given,
+            least=least,
+            largest=largest,
+            tool=tool_point(tool_offset, frame),
+            drives=drives,
+            payloads=payloads,
+            gravity=gravity,
+            force=force,
+            compensated=compensated,
+            drives_apart=drives_apart,
+        )
 
     def predict(
         self,
@@ -396,15 +415,25 @@ class Arm:
     ) -> Answer:
         """What given tolerances do to the tool: the other way round than `allocate`, whose arguments it has.
 
-        tolerances  a value a parameter, each >= 0, infinity for what has no bound, or names: {"motors": 1e-4, "lengths": 0.02};
-                    what is not named is exact
+        tolerances  a value a parameter, each >= 0, infinity for what has no bound, or names, {"motors": 1e-4,
+                    "lengths": 0.02}: what is not named is exact
         accuracy    what the errors are held against by `Answer.verify`
         """
         return ask(
-            self, q, accuracy=accuracy, method=method, sigma=sigma, tolerances=tolerances,
-            tool=tool_point(tool_offset, frame), drives=drives, payloads=payloads, gravity=gravity, force=force,
-            compensated=compensated, drives_apart=drives_apart,
-        )  # fmt: skip
+            self,
+            q,
+            accuracy=accuracy,
+            method=method,
+            sigma=sigma,
+            tolerances=tolerances,
+            tool=tool_point(tool_offset, frame),
+            drives=drives,
+            payloads=payloads,
+            gravity=gravity,
+            force=force,
+            compensated=compensated,
+            drives_apart=drives_apart,
+        )
 
     def sag(
         self,
@@ -425,9 +454,16 @@ class Arm:
         values = poses(q, self.n_joints)
         flat = values.reshape(math.prod(values.shape[:-1]), self.n_joints)
         answer = ask(
-            self, flat, tolerances=np.zeros(self.n_parameters), tool=tool_point(tool_offset, frame), drives=drives,
-            payloads=payloads, gravity=gravity, force=force, compensated=compensated,
-        )  # fmt: skip
+            self,
+            flat,
+            tolerances=np.zeros(self.n_parameters),
+            tool=tool_point(tool_offset, frame),
+            drives=drives,
+            payloads=payloads,
+            gravity=gravity,
+            force=force,
+            compensated=compensated,
+        )
         return answer.sag.reshape(*values.shape[:-1], -1, 6)
 
 

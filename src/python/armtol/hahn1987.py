@@ -135,7 +135,13 @@ def _run(name: str, wish: ArrayLike, accuracy: ArrayLike, delta: float, fix: Fix
     words = None if residue is None else floats("residue", residue, (3,))
     status = ffi.new("armtol_status *")
     run = lib.binding_run(
-        program, pointer(c_wish), pointer(c_accuracy), delta, _errata(fix), ffi.NULL if words is None else pointer(words), status
+        program,
+        pointer(c_wish),
+        pointer(c_accuracy),
+        delta,
+        _errata(fix),
+        ffi.NULL if words is None else pointer(words),
+        status,
     )
     if run == ffi.NULL:
         raise MemoryError
@@ -160,9 +166,13 @@ def intella(
     return _run("intella", position, accuracy, delta, fix, residue)
 
 
-def adpta(position: ArrayLike, accuracy: ArrayLike, delta: float, *, fix: Fix = (), residue: ArrayLike | None = None) -> Run:
-    """The Adept AdeptOne, as the program `adpta` computes it; position is x, y, z in mm and theta in radians, the rest as of
-    `intella`."""
+def adpta(
+    position: ArrayLike, accuracy: ArrayLike, delta: float, *, fix: Fix = (), residue: ArrayLike | None = None
+) -> Run:
+    """The Adept AdeptOne, as the program `adpta` computes it.
+
+    position is x, y, z in mm and theta in radians; the rest is as of `intella`.
+    """
     return _run("adpta", position, accuracy, delta, fix, residue)
 
 
@@ -188,7 +198,9 @@ class Reproduction:
         return data_frame(self.numbers, Number._fields)
 
     def _repr_html_(self) -> str:
-        return html_table(f"{self.reproduced} of {len(self)} published numbers reproduced", Number._fields, self.numbers)
+        return html_table(
+            f"{self.reproduced} of {len(self)} published numbers reproduced", Number._fields, self.numbers
+        )
 
 
 _opened = False
