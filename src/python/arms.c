@@ -142,5 +142,8 @@ void binding_say_nothing_left(const armtol_question *question, double q[], doubl
         .loading = question->loading != NULL ? *question->loading : armtol_loading_standard,
     };
     memcpy(request.accuracy, question->accuracy, sizeof request.accuracy);
-    nothing_left(&request, fault->number);
+    for (size_t i = 0; i < question->n_norms; i++) {
+        request.norms[i] = question->norms[i];
+    }
+    nothing_left(&request, fault);
 }

@@ -6,6 +6,7 @@
 #include "armtol/arm.h"
 #include "armtol/question.h"
 #include "armtol/tables/arm_model.h"
+#include "armtol/wish/accuracy.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -47,7 +48,7 @@ void binding_text_free(char *text);
 
 /*
  * The lists of --weights, --given, --tolerances and --drives: one value a column of A, or a link. False after a
- * message. Messages.
+ * message. Messages, as accuracy_parse has.
  */
 bool binding_weights(const armtol_arm *arm, const char *text, double weights[]);
 bool binding_given(const armtol_arm *arm, const char *text, double least[], double largest[]);

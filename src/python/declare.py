@@ -10,7 +10,8 @@ from pathlib import Path
 
 import cffi
 
-HEADERS = ["armtol/armtol.h", "armtol/tables/arm_model.h", "1987/analysis.h", "1987/program.h", "python/binding.h"]
+HEADERS = ["armtol/armtol.h", "armtol/tables/arm_model.h", "1987/analysis.h", "1987/program.h"]
+HEADERS += ["armtol/wish/accuracy.h", "python/binding.h"]
 
 # What the page asks and Python too (page/wasm/page.h), and what the engine calls back.
 MORE = """

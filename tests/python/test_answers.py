@@ -121,7 +121,7 @@ def test_answers_outlive_their_arm_and_their_question():
     ("wrong", "error", "message"),
     [
         (lambda arm: arm.allocate(Q, ACCURACY[:5]), ValueError, r"accuracy: shape \(5,\), expected \(6,\)"),
-        (lambda arm: arm.allocate(Q, "fine"), TypeError, "accuracy"),
+        (lambda arm: arm.allocate(Q, "fine"), ArmtolError, "accuracy: .fine. is no NAME=NUMBER"),
         (lambda arm: arm.allocate(Q, 1), ValueError, r"accuracy: shape \(\)"),
         (
             lambda arm: arm.allocate(Q, [0.5, 0, 0.5, 1, 1, 1]),

@@ -14,7 +14,7 @@ Lengths are in the arm's own unit, angles in radians, everywhere. docs/python.md
 from . import hahn1987
 from ._core import COMPONENTS, ArmtolError, text as _text
 from ._native import lib as _lib
-from .answer import Answer, Budget, Component, Part, Share, Verification
+from .answer import Answer, Budget, Component, Norm, Part, Share, Verification
 from .arm import Arm, Link, Parameter, builtin_arms
 
 __version__: str = _text(_lib.armtol_version())
@@ -27,6 +27,7 @@ __all__ = [
     "Budget",
     "Component",
     "Link",
+    "Norm",
     "Parameter",
     "Part",
     "Share",

@@ -28,17 +28,19 @@ _ABOUT = {
     lib.ARMTOL_ABOUT_ARM: "the arm",
     lib.ARMTOL_ABOUT_POSE: "pose {}",
     lib.ARMTOL_ABOUT_ACCURACY: "accuracy, {}",
+    lib.ARMTOL_ABOUT_NORM: "accuracy, norm {}",
     lib.ARMTOL_ABOUT_METHOD: "method",
     lib.ARMTOL_ABOUT_WEIGHTS: "weights, column {}",
     lib.ARMTOL_ABOUT_TOLERANCES: "tolerances, column {}",
     lib.ARMTOL_ABOUT_RANGES: "given, column {}",
     lib.ARMTOL_ABOUT_DRIVES: "the drive of link {}",
     lib.ARMTOL_ABOUT_LOADING: "loads",
+    lib.ARMTOL_ABOUT_NORM_PLACE: "norm {} of a pose",
     lib.ARMTOL_ABOUT_ROW: "row {} of A",
 }
 
 # Messages name options of the command line; here they are arguments.
-_OPTION = re.compile(r"--(given|weights|tolerances|drives|base|tip)\b")
+_OPTION = re.compile(r"--(accuracy|given|weights|tolerances|drives|base|tip)\b")
 
 # What reads keeps its messages in one place for all threads.
 _reading = threading.Lock()

@@ -69,6 +69,22 @@ class Component(NamedTuple):
     """The share of the optimum that this component's limit holds down."""
 
 
+class Norm(NamedTuple):
+    """The length of the tool's error in some components, the largest of all poses and loads (armtol/norm.h)."""
+
+    name: str
+    """r, xy, xz or yz of lengths; w, wxy, wxz or wyz of rotations."""
+    limit: float
+    worst: float
+    """To first order, in the direction that is worst."""
+    shift: float
+    deviation: float
+    """The largest standard deviation of any direction."""
+    remainder: float
+    binds: float
+    """The share of the optimum that the limit holds down."""
+
+
 class Share(NamedTuple):
     """What one link's making, its motor or its load has to do with each component's error."""
 
@@ -85,7 +101,7 @@ class Share(NamedTuple):
 class Budget:
     """Where the error comes from: shares of each component's predicted error, which add up to 1 each."""
 
-    def __init__(self, c_budget: Any) -> None:
+    def __init__(self, c_budget: Any, norms: Sequence[Norm]) -> None:
         rows = [c_budget.rows[i] for i in range(c_budget.n_rows)]
         self.rows = [Share(row.link, text(lib.armtol_role_name(row.role)), *row.shares) for row in rows]
         """A row for each link and role (machining, motor, load)."""
@@ -93,6 +109,9 @@ class Budget:
         """The share of all motors in each component, (6,)."""
         self.loads = np.array(list(c_budget.loads))
         """The share of all loads in each component, (6,)."""
+        shares = [list(row.norm_shares)[: len(norms)] for row in rows]
+        self.norm_shares = np.array(shares, dtype=np.float64).reshape(len(rows), len(norms))
+        """Likewise of the answer's norms, along the direction that each is largest in: (rows, norms)."""
 
     @property
     def shares(self) -> Floats:
@@ -133,14 +152,16 @@ class Verification:
         """A 95 % interval of the share within."""
         self.probabilities = np.array(list(found.probabilities))
         """Those of `quantiles`, (4,)."""
-        components = [found.components[i] for i in range(6)]
+        self.names = COMPONENTS + tuple(norm.name for norm in answer.norms)
+        """dx, dy, dz, wx, wy, wz, and then the answer's norms: what the arrays have a row for."""
+        components = [found.components[i] for i in range(6)] + [found.norms[i] for i in range(len(answer.norms))]
         self.quantiles = np.array([list(x.quantiles) for x in components])
-        """What that share of arms does not exceed, (6, 4): rounded up by 0.1 % of itself at the most."""
+        """What that share of arms does not exceed, (names, 4): rounded up by 0.1 % of itself at the most."""
         self.worst_drawn = np.array([x.worst_drawn for x in components])
         self.worst_arm = np.array([x.worst_arm for x in components], dtype=np.uint64)
         self.worst_corner = np.array([x.worst_corner for x in components])
-        """The exact error at the worst corner found, (6,)."""
-        self.accuracy = answer.accuracy
+        """The exact error at the worst corner found, (names,)."""
+        self.accuracy = np.concatenate([answer.accuracy, [norm.limit for norm in answer.norms]])
 
     @property
     def _head(self) -> tuple[str, ...]:
@@ -150,7 +171,7 @@ class Verification:
     def _rows(self) -> list[tuple[Any, ...]]:
         return [
             (name, *map(float, self.quantiles[i]), float(self.worst_drawn[i]), float(self.worst_corner[i]))
-            for i, name in enumerate(COMPONENTS)
+            for i, name in enumerate(self.names)
         ]
 
     def __repr__(self) -> str:
@@ -170,8 +191,8 @@ class Verification:
         scale = np.where(np.isfinite(self.accuracy), self.accuracy, self.worst_corner)
         with np.errstate(divide="ignore", invalid="ignore"):
             for k, probability in enumerate(self.probabilities):
-                ax.plot(COMPONENTS, self.quantiles[:, k] / scale, "o", label=f"{100 * probability:g} % of arms")
-            ax.plot(COMPONENTS, self.worst_corner / scale, "_", markersize=20, label="worst corner")
+                ax.plot(self.names, self.quantiles[:, k] / scale, "o", label=f"{100 * probability:g} % of arms")
+            ax.plot(self.names, self.worst_corner / scale, "_", markersize=20, label="worst corner")
         ax.axhline(1, color="grey", linewidth=0.8)
         ax.set_ylabel("error / accuracy")
         ax.set_ylim(bottom=0)
@@ -232,6 +253,16 @@ class Answer:
         ]
 
     @property
+    def norms(self) -> list[Norm]:
+        """The norms that the accuracy names, as `components`."""
+        found = [self._c.norms[i] for i in range(self._c.n_norms)]
+        names = [text(lib.armtol_norm_name(x.components)) for x in found]
+        return [
+            Norm(name, x.limit, x.of.worst, x.of.shift, x.of.deviation, x.of.remainder, x.of.binds)
+            for name, x in zip(names, found)
+        ]
+
+    @property
     def worst(self) -> Floats:
         """The worst case of each component, (6,)."""
         return np.array([self._c.components[i].worst for i in range(6)])
@@ -242,7 +273,7 @@ class Answer:
         made = ffi.new("armtol_budget **")
         raise_status(lib.armtol_budget_create(self._c, made))
         c_budget = ffi.gc(made[0], lib.armtol_budget_destroy)
-        return Budget(c_budget)
+        return Budget(c_budget, self.norms)
 
     def verify(
         self,
@@ -296,7 +327,7 @@ class Answer:
 
     def _repr_html_(self) -> str:
         return html_table(f"{self.arm.title}: tolerances", self._head, self._rows) + html_table(
-            "the tool's error", Component._fields, self.components
+            "the tool's error", Component._fields, [*self.components, *self.norms]
         )
 
     def plot(self, ax: Any = None) -> Any:
@@ -345,6 +376,7 @@ def armtol_python_progress(context: Any, done: int, total: int) -> bool:
 
 
 def _accuracy(accuracy: Any) -> Floats:
+    """Six numbers; None is a free one."""
     if not isinstance(accuracy, (str, bytes)) and hasattr(accuracy, "__len__"):
         accuracy = [math.inf if value is None else value for value in accuracy]
     return floats("accuracy", accuracy, (6,))
@@ -395,6 +427,18 @@ class _Question:
         if isinstance(weights, str) and "=" not in weights:
             raise ValueError(f"weights: {weights!r}, expected NAME=NUMBER,...")
         self.c.weights = self.named("weights", weights, lib.binding_weights)
+
+    def accuracy(self, accuracy: Any) -> None:
+        """Six numbers, or names: components and norms."""
+        if accuracy is None:
+            return
+        if not isinstance(accuracy, (str, dict)):
+            self.c.accuracy = pointer(self.keep(_accuracy(accuracy)))
+            return
+        named = self.keep(ffi.new("named_accuracy *"))
+        names = names_text("accuracy", accuracy)
+        reading(lambda: lib.accuracy_parse(names, named))
+        self.c.accuracy, self.c.norms, self.c.n_norms = named.components, named.norms, named.n_norms
 
     def ranges(self, given: Names, least: ArrayLike | None, largest: ArrayLike | None) -> None:
         low, high = self.keep(np.zeros(self.n)), self.keep(np.full(self.n, math.inf))
@@ -477,8 +521,7 @@ def ask(
         if not delta > 0:
             raise_status(lib.ARMTOL_BAD_DELTA, "method")
         question.c.delta = delta
-    if accuracy is not None:
-        question.c.accuracy = pointer(question.keep(_accuracy(accuracy)))
+    question.accuracy(accuracy)
     question.weights(weights)
     question.ranges(given, least, largest)
     question.c.tolerances = question.named("tolerances", tolerances, lib.binding_tolerances)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Union
 
 import numpy as np
 
@@ -28,6 +28,8 @@ from ._core import (
 )
 from ._native import ffi, lib
 from .answer import Answer, ask
+
+Accuracy = Union[str, "dict[str, float]", "Sequence[float | None]", ArrayLike]
 
 FRAMES = {"base": lib.ARMTOL_BASE_FRAME, "tool": lib.ARMTOL_TOOL_FRAME}
 _JOINTS = {"R": "theta", "P": "d", "F": "fixed"}
@@ -336,7 +338,7 @@ class Arm:
     def allocate(
         self,
         q: ArrayLike,
-        accuracy: Sequence[float | None] | ArrayLike,
+        accuracy: Accuracy,
         *,
         method: str = "worst",
         sigma: float = 3.0,
@@ -357,7 +359,8 @@ class Arm:
         """The largest tolerances with which the tool keeps to an accuracy in the given poses; elsewhere is unknown.
 
         q            one pose, (n_joints,), or several that hold at once, (N, n_joints)
-        accuracy     dx, dy, dz, wx, wy, wz: each > 0, None or infinity for a component that is free
+        accuracy     dx, dy, dz, wx, wy, wz: each > 0, None or infinity for a component that is free; or names, of
+                     components and of norms: {"xy": 0.02, "dz": 0.1, "w": 1e-3}; a ball is "r", any rotation "w"
         method       "worst": the largest that guarantee it; "rss": the largest with which `sigma` standard deviations
                      keep to it; "sphere": the report's, with `delta` (None: to be chosen)
         weights      what precision costs: a value a parameter, or names: {"motors": 3, "3.alpha": 10}
@@ -401,7 +404,7 @@ class Arm:
         q: ArrayLike,
         tolerances: Names,
         *,
-        accuracy: Sequence[float | None] | ArrayLike | None = None,
+        accuracy: Accuracy | None = None,
         method: str = "worst",
         sigma: float = 3.0,
         frame: str = "base",
