@@ -30,7 +30,7 @@ bool flags_read(int argc, char *argv[], const char *letters, const struct option
 {
     opterr = 0;
     for (;;) {
-        const int at = optind;
+        const int at = optind == 0 ? 1 : optind; /* 0: getopt starts anew */
         const int option = getopt_long(argc, argv, letters, names, NULL);
         if (option == -1) {
             return true;

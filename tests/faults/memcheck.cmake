@@ -24,7 +24,7 @@ endfunction()
 get_filename_component(LEAKING "${LEAKING}" REALPATH)
 run(99 9999 ${LEAKING})
 
-foreach(allocation 1 9 15)
+foreach(allocation 1 5 9)
   run(1 ${allocation} ${INTELLA})
 endforeach()
 run(0 9999 ${INTELLA})

@@ -64,8 +64,10 @@ static int check_1987(command_line *line)
 
 static void check_question(const cli_options *options)
 {
-    REQUIRE((options->joints != NULL) != (options->poses != NULL));
-    REQUIRE(options->accuracy != NULL || options->tolerances != NULL);
+    const bool at = options->n_at > 0 || options->at_file != NULL;
+    const bool compared = options->against != NULL || options->deviations != NULL;
+    REQUIRE((options->joints != NULL) + (options->poses != NULL) + at + (options->region != NULL) == 1);
+    REQUIRE((options->accuracy != NULL || options->tolerances != NULL) != compared);
     REQUIRE(options->weights == NULL || (options->tolerances == NULL && options->method != ARMTOL_METHOD_SPHERE));
     REQUIRE(options->delta == NULL || options->method == ARMTOL_METHOD_SPHERE);
     REQUIRE(options->format != OUTPUT_CSV || (!options->budget && options->verify == 0));

@@ -712,7 +712,7 @@ int cli_options_parse(int argc, char *argv[], cli_options *options)
                              .gap = DEFAULT_GAP, .most = DEFAULT_BOXES};
     options->words = argv + (argc > 0);
     options->n_words = (size_t)(argc - (argc > 0));
-    optind = 1; /* it may not be the first command line that is read */
+    optind = 0; /* it may not be the first command line that is read, nor the one before have been read to its end */
     if (!read_all(argc, argv, options)) {
         return EXIT_WRONG;
     }
