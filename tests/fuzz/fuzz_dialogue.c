@@ -136,7 +136,7 @@ static void check_text(const outfile *file, const void *data)
 
 static bool exists(const char *name)
 {
-    char path[256];
+    char path[512];
     snprintf(path, sizeof path, "%s/%s", at_work.path, name);
     return access(path, F_OK) == 0;
 }
@@ -145,7 +145,7 @@ static void write_really(const outfile files[], size_t count, const void *data)
 {
     REQUIRE(__real_outfiles_write(&at_work.folder, files, count, data));
     for (size_t i = 0; i < count; i++) {
-        char path[256];
+        char path[512];
         REQUIRE(exists(files[i].name));
         snprintf(path, sizeof path, "%s/%s", at_work.path, files[i].name);
         remove(path);
