@@ -34,7 +34,7 @@ static char program_name[] = "armtol";
 static size_t threads_of(const cli_options *options)
 {
     const long processors = sysconf(_SC_NPROCESSORS_ONLN);
-    return options->threads != 0 ? options->threads : processors > 0 ? (size_t)processors : 1;
+    return options->threads != 0 ? (size_t)options->threads : processors > 0 ? (size_t)processors : 1;
 }
 
 /* The arms drawn here, or those that others drew. An exit code, after a message. */

@@ -35,6 +35,7 @@ typedef struct map_texts {
     const char *orientation;
     const char *what, *of, *contour;
     const char *tsv;
+    bool given; /* any of them */
 } map_texts;
 
 /* The command line. Texts are as typed: what they mean depends on the arm. NULL where not given. */
@@ -83,7 +84,7 @@ typedef struct cli_options {
     uint64_t verify; /* arms to draw, 0 for none */
     uint64_t seed;
     bool seed_given;
-    size_t threads; /* 0: as many as there are processors */
+    uint64_t threads; /* 0: as many as there are processors */
     uint64_t shard, n_shards; /* shard 1 to n_shards, 0 for all arms; with it: */
     const char *tally;        /* the file for its counts */
     output_format format;
@@ -91,11 +92,13 @@ typedef struct cli_options {
     size_t n_words;
     const char *svg; /* the file of a map's picture, or the budget's */
     map_texts map;
-    uint64_t seen; /* a bit for every option that has been read */
 } cli_options;
 
 /* EXIT_OK, or EXIT_WRONG after a message. */
 int cli_options_parse(int argc, char *argv[], cli_options *options);
+
+/* What is missing, or contradicts itself, in a message; NULL where nothing is. */
+const char *cli_options_fault(const cli_options *options);
 
 /* What --help prints on standard output. */
 void cli_help(void);
