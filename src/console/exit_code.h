@@ -1,6 +1,8 @@
 #ifndef ARMTOL_CONSOLE_EXIT_CODE_H
 #define ARMTOL_CONSOLE_EXIT_CODE_H
 
+#include <stdbool.h>
+
 /* What a program tells the shell. */
 enum {
     EXIT_OK = 0,
@@ -16,6 +18,15 @@ void exit_code_note_error(int error);
 
 /* The message of that, and the note. */
 void out_of_memory(void);
+
+/* Whether there was enough: what is given, after that message where it is false. */
+static inline bool enough_memory(bool enough)
+{
+    if (!enough) {
+        out_of_memory();
+    }
+    return enough;
+}
 
 /* The code to end with once all is printed: EXIT_FAILED, after a message, where standard output did not take it. */
 int exit_code_of_output(int code);

@@ -1,10 +1,8 @@
 #include "armtol/against/against.h"
 
 #include "armtol/ask/arm_source.h"
-#include "armtol/lists/lists.h"
 #include "armtol/names/link_name.h"
 #include "console/exit_code.h"
-#include "console/input_file.h"
 #include "console/message.h"
 
 #include <stdlib.h>
@@ -30,20 +28,8 @@ static int read_other(against *against)
 
 static bool read_deviations(const request *request, double deviations[])
 {
-    const parameter_table table = {.arm = &request->arm,
-                                   .columns = request->columns,
-                                   .n_columns = request->n_columns,
-                                   .value = "deviation",
-                                   .signed_allowed = true,
-                                   .length_unit = units_name(&request->units, true),
-                                   .angle_unit = units_name(&request->units, false)};
-    FILE *stream = input_file_open("--deviations: ", request->options->deviations, "");
-    if (stream == NULL) {
-        return false;
-    }
-    const bool fine = parameters_read(stream, request->options->deviations, &table, false, deviations);
-    fclose(stream);
-    return fine;
+    const parameter_table table = {.value = "deviation", .signed_allowed = true};
+    return request_read_parameters(request, "--deviations: ", request->options->deviations, table, deviations);
 }
 
 /* The links of the arm, off by that. */

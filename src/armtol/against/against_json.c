@@ -1,7 +1,7 @@
 #include "armtol/against/against.h"
 
 #include "armtol/names/link_name.h"
-#include "armtol/tell/json.h"
+#include "armtol/tell/json_arms.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -53,15 +53,10 @@ static void write_poses(json *json, against *against)
     json_close_array(json);
 }
 
-/* What does not exist is left out: null is what has no bound. */
 static void write_shares(json *json, const double shares[2])
 {
-    static const char *const names[] = {"of_distance", "of_angle"};
-    for (size_t half = 0; half < 2; half++) {
-        if (!isnan(shares[half])) {
-            json_number(json, names[half], shares[half]);
-        }
-    }
+    json_known(json, "of_distance", shares[0]);
+    json_known(json, "of_angle", shares[1]);
 }
 
 static void write_differences(json *json, const against *against, const against_summary *summary)
@@ -105,10 +100,7 @@ void against_json(against *against, const against_summary *summary)
     json_start(&json, stdout);
     json_text(&json, "arm", against->request->arm.name);
     json_text(&json, against->request->options->against != NULL ? "against" : "deviations", against->other);
-    json_open_object(&json, "units");
-    json_text(&json, "length", units_name(units, true));
-    json_text(&json, "angle", units_name(units, false));
-    json_close_object(&json);
+    json_units(&json, units);
     write_poses(&json, against);
     write_summary(&json, units, summary);
     write_differences(&json, against, summary);

@@ -225,11 +225,7 @@ bool at_find_poses(const cli_options *options, const units *units, const armtol_
     *n_poses = at.n;
     *poses = calloc(at.n, (armtol_arm_joint_count(arm) + 1) * sizeof **poses);
     *taken = calloc(at.n, sizeof **taken);
-    bool fine = *poses != NULL && *taken != NULL;
-    if (!fine) {
-        out_of_memory();
-    }
-    fine = fine && take_all(&at, *poses, *taken);
+    const bool fine = enough_memory(*poses != NULL && *taken != NULL) && take_all(&at, *poses, *taken);
     at_free(&at);
     return fine;
 }

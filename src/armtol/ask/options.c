@@ -118,8 +118,8 @@ static size_t choose(const typed_option *typed, const char *const names[], size_
 {
     const char *option = typed->row->name;
     const size_t chosen = word_among(typed->argument, names, count);
-    char known[64] = "";
     if (chosen == count) {
+        char known[64] = "";
         for (size_t i = 0; i < count; i++) {
             strcat(known, i == 0 ? "" : i + 1 < count ? ", " : " or ");
             strcat(known, names[i]);

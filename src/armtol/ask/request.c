@@ -21,11 +21,6 @@
 
 /* ---- poses ---- */
 
-static const char *joint_text(const units *units, const armtol_link *link, double value, number_text *text)
-{
-    return number_shortest(units_typed(units, link->joint == ARMTOL_PRISMATIC, value), &armtol_errata_none, text);
-}
-
 static double size_of_end(double end)
 {
     return isinf(end) ? 0 : fabs(end);
@@ -56,18 +51,22 @@ static void say_limits(const units *units, const armtol_arm *arm, size_t link, s
     char mover[2 * sizeof(link_text) + 20];
     message("pose %zu, %s: %s is beyond its limits; expected %s to %s %s (%s--ignore-limits sets limits aside)",
             pose + 1, mover_text(arm, link, mover, sizeof mover),
-            joint_text(units, &arm->links[link], value, &(number_text){""}),
-            joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
-            joint_text(units, &arm->links[link], drive->high, &(number_text){""}),
+            units_joint_text(units, &arm->links[link], value, &(number_text){""}),
+            units_joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
+            units_joint_text(units, &arm->links[link], drive->high, &(number_text){""}),
             units_name(units, arm->links[link].joint == ARMTOL_PRISMATIC),
             none ? "limits of 0 and 0 often mean that none are known: " : "");
 }
 
+bool request_within_limits(const armtol_drive *drive, double value)
+{
+    const double slack = 1e-9 * fmax(size_of_end(drive->low), size_of_end(drive->high)); /* limits are rounded too */
+    return value >= drive->low - slack && value <= drive->high + slack;
+}
+
 static bool check_limits(const units *units, const armtol_arm *arm, size_t link, size_t pose, double value)
 {
-    const armtol_drive *drive = &arm->drives[link];
-    const double slack = 1e-9 * fmax(size_of_end(drive->low), size_of_end(drive->high)); /* limits are rounded too */
-    const bool fine = value >= drive->low - slack && value <= drive->high + slack;
+    const bool fine = request_within_limits(&arm->drives[link], value);
     if (!fine) {
         say_limits(units, arm, link, pose, value);
     }
@@ -327,6 +326,23 @@ static bool take_tolerances(request *request, const char *path)
     return true;
 }
 
+bool request_read_parameters(const request *request, const char *before, const char *path, parameter_table table,
+                             double values[])
+{
+    FILE *stream = input_file_open(before, path, "");
+    if (stream == NULL) {
+        return false;
+    }
+    table.arm = request->question.arm;
+    table.columns = request->columns;
+    table.n_columns = request->n_columns;
+    table.length_unit = units_name(&request->units, true);
+    table.angle_unit = units_name(&request->units, false);
+    const bool fine = parameters_read(stream, path, &table, table.zero_allowed, values);
+    fclose(stream);
+    return fine;
+}
+
 static bool read_tolerances(request *request)
 {
     const char *path = request->options->tolerances;
@@ -334,20 +350,9 @@ static bool read_tolerances(request *request)
         const named_columns of = {request->question.arm, request->columns, request->n_columns};
         return given_tolerances_parse(path, &of, &request->units, request->tolerances);
     }
-    const parameter_table table = {.arm = request->question.arm,
-                                   .columns = request->columns,
-                                   .n_columns = request->n_columns,
-                                   .value = "tolerance",
-                                   .zero_allowed = true,
-                                   .length_unit = units_name(&request->units, true),
-                                   .angle_unit = units_name(&request->units, false)};
-    FILE *stream = input_file_open("--tolerances: ", path, "");
-    if (stream == NULL) {
-        return false;
-    }
-    const bool fine = parameters_read(stream, path, &table, true, request->tolerances);
-    fclose(stream);
-    return fine && take_tolerances(request, path);
+    const parameter_table table = {.value = "tolerance", .zero_allowed = true};
+    return request_read_parameters(request, "--tolerances: ", path, table, request->tolerances) &&
+           take_tolerances(request, path);
 }
 
 static bool get_memory(request *request)
@@ -362,13 +367,9 @@ static bool get_memory(request *request)
     if (request->options->tolerances != NULL) {
         request->tolerances = calloc(n, sizeof *request->tolerances);
     }
-    const bool enough = request->columns != NULL && request->weights != NULL && request->least != NULL &&
-                        request->largest != NULL &&
-                        (request->options->tolerances == NULL || request->tolerances != NULL);
-    if (!enough) {
-        out_of_memory();
-    }
-    return enough;
+    return enough_memory(request->columns != NULL && request->weights != NULL && request->least != NULL &&
+                         request->largest != NULL &&
+                         (request->options->tolerances == NULL || request->tolerances != NULL));
 }
 
 static bool take_values(request *request)

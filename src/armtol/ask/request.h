@@ -33,8 +33,18 @@ typedef struct request {
 int request_make(request *request, const cli_options *options, const arm_model *model);
 void request_free(request *request);
 
+/* Whether a joint's value is within its limits, to their rounding. */
+bool request_within_limits(const armtol_drive *drive, double value);
+
 /* The tool point that is meant; false after a message. */
 bool request_tool(const cli_options *options, const units *units, armtol_tool_point *tool);
+
+/*
+ * A file of the values of parameters, in the user's units; the table says which, and may leave out what the request
+ * knows. What may be 0 may be infinite too. False after a message: `before` the path, and why.
+ */
+bool request_read_parameters(const request *request, const char *before, const char *path, parameter_table table,
+                             double values[]);
 
 /* The engine's answer, to be destroyed. EXIT_OK, or an exit code after a message. */
 int request_answer(const request *request, armtol_answer **answer);

@@ -12,14 +12,6 @@ armtol_length_unit units_chosen_length(unit_choice choice)
     return choice == UNITS_SMALL ? ARMTOL_MILLIMETRE : choice == UNITS_LARGE ? ARMTOL_METRE : ARMTOL_INCH;
 }
 
-/* How many millimetres a unit has. */
-static double millimetres(armtol_length_unit unit)
-{
-    static const double counts[ARMTOL_LENGTH_UNIT_COUNT] = {
-        [ARMTOL_MILLIMETRE] = 1, [ARMTOL_METRE] = 1000, [ARMTOL_INCH] = 25.4};
-    return counts[unit];
-}
-
 /* The product first, unless no double holds that one; exactly as it is where nothing changes. */
 static double scaled(double value, double factor, double divisor)
 {
@@ -33,7 +25,7 @@ static double scaled(double value, double factor, double divisor)
 double units_shown(const units *units, bool is_length, double value)
 {
     if (is_length) {
-        return scaled(value, millimetres(units->arm), millimetres(units->length));
+        return scaled(value, arm_model_millimetres(units->arm), arm_model_millimetres(units->length));
     }
     return units->angle == UNIT_DEGREE ? scaled(value, 180, PI) : value;
 }
@@ -41,7 +33,7 @@ double units_shown(const units *units, bool is_length, double value)
 double units_taken(const units *units, bool is_length, double value)
 {
     if (is_length) {
-        return scaled(value, millimetres(units->length), millimetres(units->arm));
+        return scaled(value, arm_model_millimetres(units->length), arm_model_millimetres(units->arm));
     }
     return units->angle == UNIT_DEGREE ? scaled(value, PI, 180) : value;
 }
@@ -69,6 +61,11 @@ double units_typed(const units *units, bool is_length, double value)
         }
     }
     return shown;
+}
+
+const char *units_joint_text(const units *units, const armtol_link *link, double value, number_text *text)
+{
+    return number_shortest(units_typed(units, link->joint == ARMTOL_PRISMATIC, value), &armtol_errata_none, text);
 }
 
 units units_chosen(const cli_options *options, const arm_model *model)

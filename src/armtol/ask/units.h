@@ -3,6 +3,7 @@
 
 #include "armtol/ask/options.h"
 #include "armtol/tables/arm_model.h"
+#include "console/number.h"
 
 #include <stdbool.h>
 
@@ -27,6 +28,9 @@ double units_taken(const units *units, bool is_length, double value);
  * degrees, or 0.3 mm of an arm in metres, is that again.
  */
 double units_typed(const units *units, bool is_length, double value);
+
+/* A joint's value as it is typed. Returns text->text. */
+const char *units_joint_text(const units *units, const armtol_link *link, double value, number_text *text);
 
 /* Joint values, from the user's to inside: one for each joint that moves by itself. */
 void units_take_joints(const units *units, const armtol_arm *arm, double q[]);

@@ -95,12 +95,8 @@ static int merge_all(merging *merging, char *const paths[], size_t n_paths)
 static bool get_memory(merging *merging, size_t n_paths)
 {
     merging->ranges = calloc(n_paths, sizeof *merging->ranges);
-    const bool enough = merging->ranges != NULL && armtol_tally_create(&merging->part) == ARMTOL_OK &&
-                        armtol_tally_create(&merging->merged->tally) == ARMTOL_OK;
-    if (!enough) {
-        out_of_memory();
-    }
-    return enough;
+    return enough_memory(merging->ranges != NULL && armtol_tally_create(&merging->part) == ARMTOL_OK &&
+                         armtol_tally_create(&merging->merged->tally) == ARMTOL_OK);
 }
 
 int merge_files(char *const paths[], size_t n_paths, merged *merged)

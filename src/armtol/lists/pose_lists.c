@@ -35,8 +35,9 @@ static bool check_count(const cell_row *row, size_t n_joints)
     return row->n == n_joints;
 }
 
-static bool take_pose(pose_list *list, const cell_row *row)
+static bool take_pose(const cell_row *row, void *context)
 {
+    pose_list *list = context;
     if (list->n == MOST_POSES) {
         cells_message(row, 0, "more than %d poses", MOST_POSES);
         return false;
@@ -59,33 +60,14 @@ static bool take_pose(pose_list *list, const cell_row *row)
     return true;
 }
 
-static bool read_all(pose_list *list, text_lines *lines, cell_row *row)
-{
-    for (;;) {
-        const line_result result = cells_next(row, lines, CELLS_ANY);
-        if (result == LINE_NONE && list->n == 0) {
-            message("%s: no poses; expected a line of %zu joint values for each", lines->path, list->n_joints);
-            return false;
-        }
-        if (result != LINE_THERE) {
-            return result == LINE_NONE;
-        }
-        if (!take_pose(list, row)) {
-            return false;
-        }
-    }
-}
-
 bool poses_read(FILE *stream, const char *path, size_t n_joints, double **poses, size_t *n_poses)
 {
     pose_list list = {.n_joints = n_joints};
-    text_lines lines;
-    cell_row row;
-    text_lines_start(&lines, stream, path);
-    cells_start(&row);
-    const bool fine = read_all(&list, &lines, &row);
-    text_lines_free(&lines);
-    cells_free(&row);
+    bool fine = cells_each(stream, path, take_pose, &list);
+    if (fine && list.n == 0) {
+        message("%s: no poses; expected a line of %zu joint values for each", path, n_joints);
+        fine = false;
+    }
     if (!fine) {
         free(list.values);
         list = (pose_list){.n_joints = n_joints};

@@ -16,8 +16,9 @@ typedef struct wish_list {
     typed_wish *wishes;
 } wish_list;
 
-static bool take_wish(wish_list *list, const cell_row *row)
+static bool take_wish(const cell_row *row, void *context)
 {
+    wish_list *list = context;
     typed_wish *wishes;
     if (list->n == MOST_WISHES) {
         cells_message(row, 0, "more than %d positions", MOST_WISHES);
@@ -47,29 +48,14 @@ static bool take_wish(wish_list *list, const cell_row *row)
     return true;
 }
 
-static bool read_all(wish_list *list, text_lines *lines, cell_row *row)
-{
-    line_result result;
-    do {
-        result = cells_next(row, lines, CELLS_ANY);
-    } while (result == LINE_THERE && take_wish(list, row));
-    if (result == LINE_NONE && list->n == 0) {
-        message("%s: no positions; %s in a line for each", lines->path, expected);
-        return false;
-    }
-    return result == LINE_NONE;
-}
-
 bool wishes_read(FILE *stream, const char *path, typed_wish **wishes, size_t *n_wishes)
 {
     wish_list list = {.n = 0};
-    text_lines lines;
-    cell_row row;
-    text_lines_start(&lines, stream, path);
-    cells_start(&row);
-    const bool fine = read_all(&list, &lines, &row);
-    text_lines_free(&lines);
-    cells_free(&row);
+    bool fine = cells_each(stream, path, take_wish, &list);
+    if (fine && list.n == 0) {
+        message("%s: no positions; %s in a line for each", path, expected);
+        fine = false;
+    }
     if (!fine) {
         free(list.wishes);
         list = (wish_list){.n = 0};

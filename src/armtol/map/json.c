@@ -1,7 +1,7 @@
 #include "armtol/map/output.h"
 
 #include "armtol/armtol.h"
-#include "armtol/tell/json.h"
+#include "armtol/tell/json_arms.h"
 #include "console/exit_code.h"
 
 #include <math.h>
@@ -87,14 +87,9 @@ bool map_print_json(const map_findings *findings)
     json_start(&json, stdout);
     json_text(&json, "armtol", armtol_version());
     json_open_object(&json, "arm");
-    json_text(&json, "name", plan->request->arm.name);
-    json_text(&json, "title", plan->request->arm.title);
-    json_text(&json, "source", plan->request->arm.source);
+    json_arm_texts(&json, &plan->request->arm);
     json_close_object(&json);
-    json_open_object(&json, "units");
-    json_text(&json, "length", units_name(units, true));
-    json_text(&json, "angle", units_name(units, false));
-    json_close_object(&json);
+    json_units(&json, units);
     json_text(&json, "map", armtol_map_value_name(plan->map.value));
     json_text(&json, "of", plan->of);
     json_text(&json, "unit", units_name(units, plan->is_length));

@@ -68,17 +68,8 @@ static double stretched(const armtol_link links[], size_t n_links, size_t first,
 /* The link of the joint, and of the one before it; false where they do not both turn by themselves. */
 static bool links_of(const armtol_arm *arm, uint64_t joint, size_t *first, size_t *second)
 {
-    uint64_t n = 0;
-    *first = *second = arm->n_links;
-    for (size_t i = 0; i < arm->n_links; i++) {
-        n += armtol_arm_is_driven(arm, i);
-        if (armtol_arm_is_driven(arm, i) && n + 1 == joint) {
-            *first = i;
-        }
-        if (armtol_arm_is_driven(arm, i) && n == joint) {
-            *second = i;
-        }
-    }
+    *first = region_link_of(arm, joint - 1);
+    *second = region_link_of(arm, joint);
     return *first < arm->n_links && *second < arm->n_links && arm->links[*first].joint == ARMTOL_REVOLUTE &&
            arm->links[*second].joint == ARMTOL_REVOLUTE;
 }

@@ -93,8 +93,7 @@ static bool take_numbers(const reading *reading, char *text, size_t count, const
 
 /* ---- joints ---- */
 
-/* The link of a joint, counted from 1 as --joints does; n_links where there is none. */
-static size_t link_of(const armtol_arm *arm, uint64_t joint)
+size_t region_link_of(const armtol_arm *arm, uint64_t joint)
 {
     size_t i = 0;
     for (uint64_t n = 0; i < arm->n_links; i++) {
@@ -119,7 +118,7 @@ static bool take_joint(const char *name, char *value, const armtol_arm *arm, con
         message("--region: %s is given twice", name);
         return false;
     }
-    const reading reading = {name, units, arm->links[link_of(arm, joint)].joint == ARMTOL_PRISMATIC};
+    const reading reading = {name, units, arm->links[region_link_of(arm, joint)].joint == ARMTOL_PRISMATIC};
     words->named[joint - 1] = true;
     return take_range(&reading, value, false, &words->low[joint - 1], &words->high[joint - 1]);
 }
@@ -189,7 +188,7 @@ static bool take_path(const reading *reading, char *value, region_words *words)
         out_of_memory();
         return false;
     }
-    for (size_t n = 0; n < count; n++) {
+    for (size_t n = 0; value != NULL; n++) { /* count times */
         if (!take_numbers(reading, cut(&value, ":"), 3, "x,y,z for each point", words->points + 3 * n)) {
             return false;
         }
@@ -248,30 +247,21 @@ static bool take_elbow(const reading *reading, char *value, region_words *words)
 
 typedef bool taker(const reading *reading, char *value, region_words *words);
 
-/* Whether an item of that name has been taken. */
-static bool is_taken(const region_words *words, const char *name)
-{
-    return (strcmp(name, "box") == 0 && words->region.block != NULL) ||
-           (strcmp(name, "cylinder") == 0 && words->region.ring != NULL) ||
-           (strcmp(name, "path") == 0 && words->points != NULL) ||
-           (strcmp(name, "direction") == 0 && words->region.cone != NULL) ||
-           (strcmp(name, "cone") == 0 && words->has_cone_angle) ||
-           (strcmp(name, "elbow") == 0 && words->elbow[0] != '\0');
-}
+static const struct {
+    const char *name;
+    taker *take;
+} takers[] = {{"box", take_box},             {"cylinder", take_cylinder}, {"path", take_path},
+              {"direction", take_direction}, {"cone", take_cone},         {"elbow", take_elbow}};
 
-static taker *taker_of(const char *name)
+enum { TAKERS = sizeof takers / sizeof takers[0] };
+
+static size_t taker_of(const char *name)
 {
-    static const struct {
-        const char *name;
-        taker *take;
-    } takers[] = {{"box", take_box},             {"cylinder", take_cylinder}, {"path", take_path},
-                  {"direction", take_direction}, {"cone", take_cone},         {"elbow", take_elbow}};
-    for (size_t i = 0; i < sizeof takers / sizeof takers[0]; i++) {
-        if (strcmp(takers[i].name, name) == 0) {
-            return takers[i].take;
-        }
+    size_t i = 0;
+    while (i < TAKERS && strcmp(takers[i].name, name) != 0) {
+        i++;
     }
-    return NULL;
+    return i;
 }
 
 bool region_item_take(char *item, const armtol_arm *arm, const units *units, region_words *words)
@@ -282,19 +272,20 @@ bool region_item_take(char *item, const armtol_arm *arm, const units *units, reg
         message("--region: %s has no value; expected NAME=VALUE", message_quote(name, &(quoted){""}));
         return false;
     }
-    taker *const take = taker_of(name);
+    const size_t kind = taker_of(name);
     const reading reading = {name, units, true};
-    if (take == NULL && name[0] == 'q' && name[1] != '\0') {
+    if (kind == TAKERS && name[0] == 'q' && name[1] != '\0') {
         return take_joint(name, value, arm, units, words);
     }
-    if (take == NULL) {
+    if (kind == TAKERS) {
         message("--region: unknown name %s; expected q1 to q%zu, box, cylinder, path, direction, cone or elbow",
                 message_quote(name, &(quoted){""}), armtol_arm_joint_count(arm));
         return false;
     }
-    if (is_taken(words, name)) {
+    if ((words->taken >> kind & 1) != 0) {
         message("--region: %s is given twice", name);
         return false;
     }
-    return take(&reading, value, words);
+    words->taken |= 1u << kind;
+    return takers[kind].take(&reading, value, words);
 }

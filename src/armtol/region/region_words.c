@@ -1,5 +1,6 @@
 #include "armtol/region/region_words.h"
 
+#include "armtol/ask/request.h"
 #include "armtol/region/items.h"
 #include "armtol/tables/text_lines.h"
 #include "console/exit_code.h"
@@ -16,11 +17,7 @@ static bool start(const armtol_arm *arm, region_words *words)
     const size_t n = armtol_arm_joint_count(arm) + 1; /* never of no bytes */
     *words = (region_words){.low = calloc(n, sizeof *words->low), .high = calloc(n, sizeof *words->high),
                             .named = calloc(n, sizeof *words->named)};
-    const bool enough = words->low != NULL && words->high != NULL && words->named != NULL;
-    if (!enough) {
-        out_of_memory();
-    }
-    return enough;
+    return enough_memory(words->low != NULL && words->high != NULL && words->named != NULL);
 }
 
 void region_words_free(region_words *words)
@@ -49,11 +46,6 @@ static bool take_line(char *line, const armtol_arm *arm, const units *units, reg
 
 /* ---- ranges of joints ---- */
 
-static const char *number_of(const units *units, const armtol_link *link, double value, number_text *text)
-{
-    return number_shortest(units_typed(units, link->joint == ARMTOL_PRISMATIC, value), &armtol_errata_none, text);
-}
-
 /* What the arm says of a joint that is not named; an angle has one turn where it says nothing. */
 static bool take_limits(const armtol_arm *arm, size_t link, size_t joint, region_words *words)
 {
@@ -77,14 +69,13 @@ static bool check_limits(const armtol_arm *arm, const units *units, size_t link,
 {
     const armtol_drive *drive = &arm->drives[link];
     const double value = armtol_arm_joint_value(arm, q, link);
-    const double far = fmax(isfinite(drive->low) ? fabs(drive->low) : 0, isfinite(drive->high) ? fabs(drive->high) : 0);
-    const bool fine = value >= drive->low - 1e-9 * far && value <= drive->high + 1e-9 * far;
+    const bool fine = request_within_limits(drive, value);
     if (!fine) {
         message("--region: the joint of link %zu gets to %s, beyond its limits; expected %s to %s %s "
                 "(--ignore-limits sets limits aside)", link,
-                number_of(units, &arm->links[link], value, &(number_text){""}),
-                number_of(units, &arm->links[link], drive->low, &(number_text){""}),
-                number_of(units, &arm->links[link], drive->high, &(number_text){""}),
+                units_joint_text(units, &arm->links[link], value, &(number_text){""}),
+                units_joint_text(units, &arm->links[link], drive->low, &(number_text){""}),
+                units_joint_text(units, &arm->links[link], drive->high, &(number_text){""}),
                 units_name(units, arm->links[link].joint == ARMTOL_PRISMATIC));
     }
     return fine;

@@ -16,6 +16,7 @@ typedef struct region_words {
     armtol_path path;
     armtol_cone cone;
     double *points;
+    unsigned taken; /* a bit for each kind of item that was read */
     bool has_cone_angle;
     char elbow[16]; /* as typed, or empty */
 } region_words;

@@ -104,10 +104,7 @@ static bool take_text(char **text, const cell_row *row, size_t first, const char
         return false;
     }
     *text = strdup(row->cells[first].text);
-    if (*text == NULL) {
-        out_of_memory();
-    }
-    return *text != NULL;
+    return enough_memory(*text != NULL);
 }
 
 typedef struct found_units {

@@ -38,13 +38,9 @@ static bool layer_start(layer *layer, const arm_model *model)
         .joint_links = calloc(most, sizeof *layer->joint_links),
         .snapped = calloc(most, sizeof *layer->snapped),
     };
-    const bool fine = layer->axes != NULL && layer->links != NULL && layer->drives != NULL && layer->masses != NULL &&
-                      layer->motions != NULL && layer->names != NULL && layer->joint_links != NULL &&
-                      layer->snapped != NULL;
-    if (!fine) {
-        out_of_memory();
-    }
-    return fine;
+    return enough_memory(layer->axes != NULL && layer->links != NULL && layer->drives != NULL &&
+                         layer->masses != NULL && layer->motions != NULL && layer->names != NULL &&
+                         layer->joint_links != NULL && layer->snapped != NULL);
 }
 
 static void layer_free(layer *layer)

@@ -72,7 +72,7 @@ static bool is_length(arm_column column, armtol_joint joint)
     return column == COLUMN_A || column == COLUMN_D || column >= COLUMN_COM_X || of_slide;
 }
 
-static double millimetres(armtol_length_unit unit)
+double arm_model_millimetres(armtol_length_unit unit)
 {
     static const double counts[ARMTOL_LENGTH_UNIT_COUNT] = {
         [ARMTOL_MILLIMETRE] = 1, [ARMTOL_METRE] = 1000, [ARMTOL_INCH] = 25.4};
@@ -108,7 +108,7 @@ bool arm_model_convert(arm_model *model, armtol_length_unit unit)
     armtol_drive *drives = model->memory[4];
     armtol_mass *masses = model->memory[5];
     armtol_motion *motions = model->memory[6];
-    const double factor = millimetres(model->arm.unit), divisor = millimetres(unit);
+    const double factor = arm_model_millimetres(model->arm.unit), divisor = arm_model_millimetres(unit);
     for (size_t i = 0; i < model->arm.n_links && unit != model->arm.unit; i++) {
         arm_entry entry = arm_entry_of(&model->arm, i);
         if (!convert_entry(&entry, factor, divisor)) {

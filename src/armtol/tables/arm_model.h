@@ -32,6 +32,9 @@ typedef struct arm_model {
 /* A copy of the given parts. False, after a message, where memory is short. */
 bool arm_model_make(arm_model *model, const armtol_arm *arm, angle_unit angle_unit);
 
+/* How many millimetres a unit has. */
+double arm_model_millimetres(armtol_length_unit unit);
+
 /* Its lengths in another unit. False, after a message, where no double holds one. */
 bool arm_model_convert(arm_model *model, armtol_length_unit unit);
 

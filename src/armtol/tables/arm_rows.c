@@ -35,12 +35,8 @@ static bool split_start(split *split, size_t n_rows)
         .axes = calloc(n_rows, sizeof *split->axes),
         .kinds = calloc(n_rows, sizeof *split->kinds),
     };
-    const bool fine = split->links != NULL && split->drives != NULL && split->masses != NULL &&
-                      split->motions != NULL && split->names != NULL && split->axes != NULL && split->kinds != NULL;
-    if (!fine) {
-        out_of_memory();
-    }
-    return fine;
+    return enough_memory(split->links != NULL && split->drives != NULL && split->masses != NULL &&
+                         split->motions != NULL && split->names != NULL && split->axes != NULL && split->kinds != NULL);
 }
 
 static void split_free(split *split)

@@ -216,6 +216,21 @@ line_result cells_next(cell_row *row, text_lines *lines, char separator)
     return result;
 }
 
+bool cells_each(FILE *stream, const char *path, cell_row_taker *take, void *context)
+{
+    text_lines lines;
+    cell_row row;
+    line_result result;
+    text_lines_start(&lines, stream, path);
+    cells_start(&row);
+    do {
+        result = cells_next(&row, &lines, CELLS_ANY);
+    } while (result == LINE_THERE && take(&row, context));
+    text_lines_free(&lines);
+    cells_free(&row);
+    return result == LINE_NONE;
+}
+
 /* ---- what is in a cell ---- */
 
 void cells_message(const cell_row *row, size_t index, const char *format, ...)

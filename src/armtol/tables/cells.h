@@ -49,6 +49,12 @@ void cells_drop_comment(cell_row *row);
 /* The next row that has a cell, without any comment. */
 line_result cells_next(cell_row *row, text_lines *lines, char separator);
 
+/* Takes a row; false, after a message, where it is wrong. */
+typedef bool cell_row_taker(const cell_row *row, void *context);
+
+/* Give every row of a file to the taker. False after a message. */
+bool cells_each(FILE *stream, const char *path, cell_row_taker *take, void *context);
+
 /* file_message at a cell of the row; where the row has no such cell, at its end. */
 void cells_message(const cell_row *row, size_t index, const char *format, ...) LIKE_PRINTF(3, 4);
 

@@ -1,7 +1,7 @@
 #include "armtol/tell/branches.h"
 
 #include "armtol/armtol.h"
-#include "armtol/tell/json.h"
+#include "armtol/tell/json_arms.h"
 #include "armtol/tell/wrap.h"
 #include "console/number.h"
 
@@ -99,10 +99,7 @@ static void begin_json(json *json, const at_wishes *at)
     json_text(json, "name", at->arm->name);
     json_text(json, "title", at->arm->title);
     json_close_object(json);
-    json_open_object(json, "units");
-    json_text(json, "length", units_name(at->units, true));
-    json_text(json, "angle", units_name(at->units, false));
-    json_close_object(json);
+    json_units(json, at->units);
     json_open_array(json, "positions");
 }
 

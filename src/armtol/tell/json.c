@@ -116,6 +116,13 @@ void json_number(json *json, const char *name, double value)
     put_number(json, value);
 }
 
+void json_known(json *json, const char *name, double value)
+{
+    if (!isnan(value)) {
+        json_number(json, name, value);
+    }
+}
+
 void json_count(json *json, const char *name, uint64_t value)
 {
     begin_value(json, name);

@@ -29,6 +29,8 @@ void json_text(json *json, const char *name, const char *text);
 /* Where the text is there, that is not NULL. */
 void json_text_if(json *json, const char *name, const char *text);
 void json_number(json *json, const char *name, double value);
+/* Where there is one: what does not exist is left out, null is what has no bound. */
+void json_known(json *json, const char *name, double value);
 void json_count(json *json, const char *name, uint64_t value);
 void json_numbers(json *json, const char *name, const double values[], size_t count);
 

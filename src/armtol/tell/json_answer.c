@@ -2,7 +2,6 @@
 
 #include "armtol/armtol.h"
 #include "armtol/names/link_name.h"
-#include "armtol/tell/json.h"
 #include "armtol/tell/json_arms.h"
 #include "armtol/tell/laying.h"
 
@@ -11,30 +10,16 @@
 
 /* docs/json.md describes what is written here; names and meanings stay, new ones may come. */
 
-/* What does not exist is left out: null is what has no bound. */
-static void json_known(json *json, const char *name, double value)
-{
-    if (!isnan(value)) {
-        json_number(json, name, value);
-    }
-}
-
 static void write_arm(json *json, const findings *findings)
 {
     const armtol_arm *arm = findings->request->question.arm;
-    const units *units = &findings->request->units;
     json_open_object(json, "arm");
-    json_text(json, "name", arm->name);
-    json_text(json, "title", arm->title);
-    json_text(json, "source", arm->source);
+    json_arm_texts(json, arm);
     json_count(json, "links", arm->n_links);
     json_count(json, "joints", findings->answer->n_joints);
     json_joint_names(json, arm);
     json_close_object(json);
-    json_open_object(json, "units");
-    json_text(json, "length", units_name(units, true));
-    json_text(json, "angle", units_name(units, false));
-    json_close_object(json);
+    json_units(json, &findings->request->units);
 }
 
 static void write_frame(json *json, const findings *findings, size_t pose)

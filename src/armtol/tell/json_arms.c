@@ -10,11 +10,19 @@
 
 /* docs/json.md describes what is written here. */
 
-static void write_texts(json *json, const armtol_arm *arm)
+void json_arm_texts(json *json, const armtol_arm *arm)
 {
     json_text(json, "name", arm->name);
     json_text(json, "title", arm->title);
     json_text(json, "source", arm->source);
+}
+
+void json_units(json *json, const units *units)
+{
+    json_open_object(json, "units");
+    json_text(json, "length", units_name(units, true));
+    json_text(json, "angle", units_name(units, false));
+    json_close_object(json);
 }
 
 void json_joint_names(json *json, const armtol_arm *arm)
@@ -40,7 +48,7 @@ void json_list(void)
     for (size_t i = 0; i < armtol_arm_count(); i++) {
         const armtol_arm *arm = armtol_arm_at(i);
         json_open_object(&json, NULL);
-        write_texts(&json, arm);
+        json_arm_texts(&json, arm);
         json_count(&json, "links", arm->n_links);
         json_count(&json, "joints", armtol_arm_joint_count(arm));
         json_joint_names(&json, arm);
@@ -113,12 +121,9 @@ void json_show(const arm_model *model, const units *units, const struct units *l
     json_start(&json, stdout);
     json_text(&json, "armtol", armtol_version());
     json_open_object(&json, "arm");
-    write_texts(&json, arm);
+    json_arm_texts(&json, arm);
     json_close_object(&json);
-    json_open_object(&json, "units");
-    json_text(&json, "length", units_name(units, true));
-    json_text(&json, "angle", units_name(units, false));
-    json_close_object(&json);
+    json_units(&json, units);
     laying_write(&json, &model->laying, laid);
     json_open_array(&json, "links");
     for (size_t i = 0; i < arm->n_links; i++) {

@@ -12,6 +12,12 @@
 void json_list(void);
 void json_show(const arm_model *model, const units *units, const struct units *laid);
 
+/* What an arm is, in the object at hand. */
+void json_arm_texts(json *json, const armtol_arm *arm);
+
+/* A member units: what lengths and angles are in. */
+void json_units(json *json, const units *units);
+
 /* A member joint_names, where any has one: of the joints that have a value, in order; "" for one without. */
 void json_joint_names(json *json, const armtol_arm *arm);
 

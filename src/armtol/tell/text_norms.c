@@ -7,27 +7,18 @@
 
 enum { MOST_TOLD = 4 };
 
-/* "(dx, dy)": what the norm is of. */
-static void say_components(wrap *wrap, unsigned components, const char *end)
+/* "(dx, dy)": what the norm is of; or a unit vector of these components. */
+static void say_components(wrap *wrap, unsigned components, const double direction[6], const char *end)
 {
     const char *before = "(";
     for (size_t i = 0; i < 6; i++) {
         if ((components >> i & 1) != 0) {
-            const bool last = components >> (i + 1) == 0;
-            wrap_say(wrap, "%s%s%s%s", before, armtol_component_name(i), last ? ")" : ",", last ? end : "");
-            before = "";
-        }
-    }
-}
-
-/* A unit vector of these components. */
-static void say_direction(wrap *wrap, unsigned components, const double direction[6])
-{
-    const char *before = "(";
-    for (size_t i = 0; i < 6; i++) {
-        if ((components >> i & 1) != 0) {
-            const bool last = components >> (i + 1) == 0;
-            wrap_say(wrap, "%s%.3f%s", before, fabs(direction[i]) < 5e-4 ? 0 : direction[i], last ? ")" : ",");
+            const char *behind = components >> (i + 1) == 0 ? end : ",";
+            if (direction == NULL) {
+                wrap_say(wrap, "%s%s%s", before, armtol_component_name(i), behind);
+            } else {
+                wrap_say(wrap, "%s%.3f%s", before, fabs(direction[i]) < 5e-4 ? 0 : direction[i], behind);
+            }
             before = "";
         }
     }
@@ -54,7 +45,7 @@ static void say_held(wrap *wrap, const findings *findings, size_t norm)
     }
     for (size_t i = 0; i < n; i++) {
         wrap_say(wrap, i == 0 ? "It holds the tolerances down along" : "and along");
-        say_direction(wrap, answer->norms[norm].components, told[i]->direction);
+        say_components(wrap, answer->norms[norm].components, told[i]->direction, ")");
         say_place(wrap, findings, told[i]->pose);
         wrap_say(wrap, "(%.1f%%)%s", 100 * told[i]->share, i + 1 == n ? "." : "");
     }
@@ -67,12 +58,12 @@ static void print_norm(const findings *findings, size_t i)
     wrap wrap;
     wrap_start(&wrap, stdout, 0, 0);
     wrap_say(&wrap, "%s, the length of", armtol_norm_name(norm->components));
-    say_components(&wrap, norm->components, ",");
+    say_components(&wrap, norm->components, NULL, "),");
     if (isinf(norm->of.worst)) {
         wrap_say(&wrap, "has no bound.");
     } else {
         wrap_say(&wrap, rss ? "by sigma is largest along" : "is largest along");
-        say_direction(&wrap, norm->components, rss ? norm->spread_direction : norm->worst_direction);
+        say_components(&wrap, norm->components, rss ? norm->spread_direction : norm->worst_direction, ")");
         say_place(&wrap, findings, rss ? norm->of.deviation_pose : norm->of.worst_pose);
         wrap_say(&wrap, "(or against it).");
     }

@@ -51,14 +51,10 @@ static bool parts_start(parts *parts, size_t most_axes, size_t n_tree_links)
         .most_links = most_links,
         .link_of_axis = calloc(most_axes + 1, sizeof *parts->link_of_axis),
     };
-    const bool fine = parts->axes != NULL && parts->axis_drives != NULL && parts->joints != NULL &&
-                      parts->links != NULL && parts->drives != NULL && parts->masses != NULL &&
-                      parts->carried != NULL && parts->motions != NULL &&
-                      parts->names != NULL && parts->link_of_axis != NULL;
-    if (!fine) {
-        out_of_memory();
-    }
-    return fine;
+    return enough_memory(parts->axes != NULL && parts->axis_drives != NULL && parts->joints != NULL &&
+                         parts->links != NULL && parts->drives != NULL && parts->masses != NULL &&
+                         parts->carried != NULL && parts->motions != NULL && parts->names != NULL &&
+                         parts->link_of_axis != NULL);
 }
 
 static void parts_free(parts *parts)
