@@ -5,6 +5,7 @@
 #include "1987/program.h"
 #include "armtol/arm.h"
 #include "armtol/question.h"
+#include "armtol/region.h"
 #include "armtol/tables/arm_model.h"
 #include "armtol/wish/accuracy.h"
 
@@ -54,6 +55,17 @@ bool binding_weights(const armtol_arm *arm, const char *text, double weights[]);
 bool binding_given(const armtol_arm *arm, const char *text, double least[], double largest[]);
 bool binding_tolerances(const armtol_arm *arm, const char *text, double tolerances[]);
 bool binding_drives(const armtol_arm *arm, const char *text, armtol_drive drives[]);
+
+/*
+ * A region as --region has it: words, or a file of them.
+ *
+ * Returned (function value):
+ *    the region; NULL after a message. Messages.
+ */
+typedef struct binding_region binding_region;
+binding_region *binding_region_read(const armtol_arm *arm, const char *text, bool ignore_limits);
+const armtol_region *binding_region_of(const binding_region *region);
+void binding_region_free(binding_region *region);
 
 /*
  * Say by how much drives and given tolerances exceed the accuracy, after ARMTOL_NOTHING_LEFT in `fault`. q and least

@@ -18,6 +18,8 @@ MORE = """
 int page_open(const char *path);
 const char *page_bench(const char *corrected);
 extern "Python" bool armtol_python_progress(void *context, uint64_t done, uint64_t total);
+extern "Python" bool armtol_python_region_progress(void *context, double open, uint64_t boxes);
+extern "Python" bool armtol_python_map_progress(void *context, size_t done, size_t total);
 """
 
 

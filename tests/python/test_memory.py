@@ -1,6 +1,7 @@
 """Nothing is left behind: 10^5 arms, with their answers, their errors and their tables, in the memory of the first."""
 
 import gc
+import pickle
 import resource
 
 import numpy as np
@@ -31,7 +32,15 @@ def use_an_arm(i):
         with pytest.raises(armtol.ArmtolError):
             arm.allocate([0.1, np.nan], [1e-3] * 6)
     if i % 1000 == 2:
-        arm.allocate([0.1, 0.2], [1e-3] * 6).verify(100, threads=1)
+        answer = arm.allocate([0.1, 0.2], [1e-3] * 6)
+        answer.verify(100, threads=1)
+        pickle.loads(pickle.dumps(answer.tally(0, 50, threads=1) + answer.tally(50, 50, threads=1))).verify(answer)
+    if i % 1000 == 3:
+        arm.region("q1=0..1;q2=0.1..0.2", {"r": 1e-3}, gap=1).answer.budget.motors.sum()
+        arm.inverse([[0.5, 0.2, 0.4], [9, 9, 9]])
+        arm.map("xy", (0.2, 0.6), (0, 0.4), grid=(3, 3), tolerances={"motors": 1e-3}, offset=0.4)
+        with pytest.raises(armtol.ArmtolError):
+            arm.region("box=9..10,0..1,0..1", {"r": 1e-3})
 
 
 def test_arms_leave_nothing_behind():

@@ -16,6 +16,10 @@ from ._core import COMPONENTS, ArmtolError, text as _text
 from ._native import lib as _lib
 from .answer import Answer, Budget, Component, Norm, Part, Share, Verification
 from .arm import Arm, Link, Parameter, builtin_arms
+from .maps import Map
+from .reaching import Branches
+from .regions import Enclosure, Region
+from .tallies import Tally
 
 __version__: str = _text(_lib.armtol_version())
 
@@ -24,13 +28,18 @@ __all__ = [
     "Answer",
     "Arm",
     "ArmtolError",
+    "Branches",
     "Budget",
     "Component",
+    "Enclosure",
     "Link",
+    "Map",
     "Norm",
     "Parameter",
     "Part",
+    "Region",
     "Share",
+    "Tally",
     "Verification",
     "builtin_arms",
     "hahn1987",

@@ -27,10 +27,11 @@ from ._core import (
     reading,
     status_text,
     text,
-    threads_or_all,
     vector,
 )
 from ._native import ffi, lib
+from ._progress import Watch, drawing
+from .tallies import Tally, draw_tally
 
 if TYPE_CHECKING:
     from .arm import Arm, Parameter
@@ -291,20 +292,30 @@ class Answer:
         Ctrl-C raises KeyboardInterrupt. The interpreter's lock is released while the library works. ArmtolError where a
         component with an accuracy depends on a parameter without a bound.
         """
-        if not 0 <= n < 2**64 or not 0 <= seed < 2**64:
-            raise ValueError(f"n and seed: {n}, {seed}, expected whole numbers of 0 to 2^64 - 1")
-        watch = _Watch(progress)
-        handle = ffi.new_handle(watch)
+        watch = Watch(progress)
         found, fault = ffi.new("armtol_verification *"), ffi.new("armtol_fault *")
-        draw = ffi.new("armtol_draw *", {"samples": n, "seed": seed, "n_threads": threads_or_all(threads)})
-        draw.progress, draw.context = lib.armtol_python_progress, handle
+        draw = drawing(n, seed, threads, watch)
         status = lib.armtol_verify(self._c, draw, found, fault)
-        if watch.raised is not None:
-            raise watch.raised
+        watch.reraise()
         if found.drawn < n and status == lib.ARMTOL_OK and not watch.ended:
             raise KeyboardInterrupt  # a second one, while the first was kept
         raise_status(status, about_fault(fault))
         return Verification(found, self, seed)
+
+    def tally(
+        self,
+        first: int,
+        count: int,
+        seed: int = 1987,
+        threads: int | None = None,
+        progress: Callable[[int, int], Any] | None = None,
+    ) -> Tally:
+        """Draws arms `first` to `first + count - 1` of those that `verify` draws with this seed, and counts them.
+
+        Any process on any machine may draw a part: tallies can be pickled and added, and the sum's `verify` is that of
+        all arms at once, to the bit. The other arguments, and what is raised, are those of `verify`.
+        """
+        return draw_tally(self, first, count, seed, threads, progress)
 
     # ---- how it is shown ----
 
@@ -345,33 +356,6 @@ class Answer:
         return ax
 
 
-# ---- progress ----
-
-
-class _Watch:
-    """Who looks on, and what came of it."""
-
-    def __init__(self, progress: Callable[[int, int], Any] | None) -> None:
-        self.progress = progress
-        self.raised: BaseException | None = None
-        self.ended = False
-
-
-def _keep_exception(exception: Any, value: BaseException, traceback: Any) -> bool:
-    """An exception in the callback, KeyboardInterrupt too, waits until the library has returned."""
-    watch = ffi.from_handle(traceback.tb_frame.f_locals["context"])
-    watch.raised = value.with_traceback(traceback)
-    return False
-
-
-@ffi.def_extern(onerror=_keep_exception)  # type: ignore[untyped-decorator]
-def armtol_python_progress(context: Any, done: int, total: int) -> bool:
-    watch = ffi.from_handle(context)
-    if watch.progress is not None and watch.progress(done, total) is False:
-        watch.ended = True
-    return watch.raised is None and not watch.ended
-
-
 # ---- the question ----
 
 
@@ -389,7 +373,7 @@ def _payload(payload: Any) -> dict[str, Any]:
     return {"mass": values[0], "center": values[1:].tolist() if values.size == 4 else [0.0, 0.0, 0.0]}
 
 
-class _Question:
+class Question:
     """A question to the engine, and the memory that it is made of."""
 
     def __init__(self, arm: Arm, q: ArrayLike) -> None:
@@ -489,7 +473,7 @@ class _Question:
         raise_status(fault.status, about_fault(fault))
 
 
-def ask(
+def make_question(
     arm: Arm,
     q: ArrayLike,
     *,
@@ -509,11 +493,11 @@ def ask(
     force: ArrayLike | None = None,
     compensated: float = 0.0,
     drives_apart: bool = False,
-) -> Answer:
-    """The engine's answer; what the arguments mean is said at Arm.allocate."""
+) -> Question:
+    """What is asked; what the arguments mean is said at Arm.allocate."""
     if method not in METHODS:
         raise ValueError(f"method: {method!r}, expected one of {', '.join(METHODS)}")
-    question = _Question(arm, q)
+    question = Question(arm, q)
     question.c.tool = tool[0]
     question.c.method = METHODS[method]
     question.c.sigma = sigma
@@ -528,6 +512,12 @@ def ask(
     question.drives(drives)
     question.loads(payloads, gravity, force, compensated)
     question.c.drives_apart = drives_apart
+    return question
+
+
+def ask(arm: Arm, q: ArrayLike, **options: Any) -> Answer:
+    """The engine's answer to a question of these options."""
+    question = make_question(arm, q, **options)
     made, fault = ffi.new("armtol_answer **"), ffi.new("armtol_fault *")
     if lib.armtol_answer_create(question.c, made, fault) != lib.ARMTOL_OK:
         question.failed(fault)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple, Union
 
 import numpy as np
@@ -28,6 +28,9 @@ from ._core import (
 )
 from ._native import ffi, lib
 from .answer import Answer, ask
+from .maps import Map, fill, reach
+from .reaching import Branches, find, setup_of
+from .regions import Region, ask_region
 
 Accuracy = Union[str, "dict[str, float]", "Sequence[float | None]", ArrayLike]
 
@@ -430,6 +433,186 @@ class Arm:
             sigma=sigma,
             tolerances=tolerances,
             tool=tool_point(tool_offset, frame),
+            drives=drives,
+            payloads=payloads,
+            gravity=gravity,
+            force=force,
+            compensated=compensated,
+            drives_apart=drives_apart,
+        )
+
+    def region(
+        self,
+        where: str,
+        accuracy: Accuracy | None = None,
+        *,
+        tolerances: Names = None,
+        method: str = "worst",
+        sigma: float = 3.0,
+        weights: Names = None,
+        given: Names = None,
+        least: ArrayLike | None = None,
+        largest: ArrayLike | None = None,
+        frame: str = "base",
+        tool_offset: ArrayLike | None = None,
+        drives: Names = None,
+        payloads: Sequence[Any] = (),
+        gravity: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        compensated: float = 0.0,
+        drives_apart: bool = False,
+        gap: float = 0.01,
+        most: int = 0,
+        ignore_limits: bool = False,
+        progress: Callable[[float, int], Any] | None = None,
+    ) -> Region:
+        """The largest tolerances that keep to an accuracy everywhere in a region: proved, to first order.
+
+        where          as `armtol --region` has it (docs/region.md), in the arm's unit and radians: words, as
+                       "q1=-1.5..1.5;box=300..600,-100..100,0..200", or a file of them. Joints that are not named have
+                       their limits
+        tolerances     given ones, as for `predict`: then the largest error is told, with or without an accuracy
+        gap            how near the bounds of the largest error are to be, a share of it, 1e-6 to 10
+        most           boxes to look at; 0: a million
+        ignore_limits  joints may be beyond their limits
+        progress       called now and then with the share of the largest error that is still open, and the boxes; False
+                       ends the work: the bounds are then those reached
+
+        The other arguments are those of `allocate`. ArmtolError where no pose is in the region. Ctrl-C raises
+        KeyboardInterrupt.
+        """
+        return ask_region(
+            self,
+            where,
+            gap=gap,
+            most=most,
+            ignore_limits=ignore_limits,
+            progress=progress,
+            accuracy=accuracy,
+            tolerances=tolerances,
+            method=method,
+            sigma=sigma,
+            weights=weights,
+            given=given,
+            least=least,
+            largest=largest,
+            tool=tool_point(tool_offset, frame),
+            drives=drives,
+            payloads=payloads,
+            gravity=gravity,
+            force=force,
+            compensated=compensated,
+            drives_apart=drives_apart,
+        )
+
+    def inverse(
+        self,
+        wish: ArrayLike,
+        *,
+        near: ArrayLike | None = None,
+        tool_offset: ArrayLike | None = None,
+        ignore_limits: bool = False,
+        enough: int = 0,
+        within: float = 0.0,
+    ) -> Branches:
+        """Joint values that bring the tool where it should be: all branches that are found, of each wish.
+
+        wish           points, (..., 3), the tool's axes being free; or frames, (..., 4, 4), as `forward` gives them
+        near           joint values, (n_joints,), that branches come in order of their distance from; None: the middle
+                       of each joint's range, and first the arm's own inverse kinematics, where it is one of 1987
+        tool_offset    the tool point from the origin of the last frame, in its coordinates, (3,)
+        ignore_limits  joints may be beyond their limits
+        enough         so many branches are: fewer starts are made; 0: all are wanted
+        within         how near counts as there, radians and shares of the arm's size; 0: 1e-10
+
+        A wish that is out of reach has no branch, and raises nothing: that none was found is no proof
+        (docs/inverse.md).
+        """
+        if enough < 0:
+            raise ValueError(f"enough: {enough}, expected 0 or more")
+        if not 0 <= within < math.inf:
+            raise ValueError(f"within: {within}, expected 0 or more")
+        kept: list[Any] = []
+        setup = setup_of(self, near, tool_offset, ignore_limits, kept)
+        setup.enough, setup.within = enough, within
+        return find(self, wish, setup)
+
+    def map(
+        self,
+        plane: str,
+        across: ArrayLike,
+        up: ArrayLike,
+        *,
+        what: str = "worst",
+        of: str | None = None,
+        offset: float = 0.0,
+        grid: Sequence[int] = (61, 61),
+        axes: ArrayLike | None = None,
+        near: ArrayLike | None = None,
+        ignore_limits: bool = False,
+        tolerances: Names = None,
+        accuracy: Accuracy | None = None,
+        method: str = "worst",
+        sigma: float = 3.0,
+        weights: Names = None,
+        given: Names = None,
+        least: ArrayLike | None = None,
+        largest: ArrayLike | None = None,
+        frame: str = "base",
+        tool_offset: ArrayLike | None = None,
+        drives: Names = None,
+        payloads: Sequence[Any] = (),
+        gravity: ArrayLike | None = None,
+        force: ArrayLike | None = None,
+        compensated: float = 0.0,
+        drives_apart: bool = False,
+        progress: Callable[[int, int], Any] | None = None,
+    ) -> Map:
+        """One number for each point of a plane, the arm reaching for each: `values`, (U, A), and `plot()`.
+
+        plane       "xy", "xz" or "yz": across, and up
+        across, up  from where to where, in the arm's unit: (2,) each
+        what        "worst": the largest error that `tolerances` and drives allow, to first order; "droop": how far
+                    loads take the tool; "repeatability": what is left open at each arrival; "tolerance": the least of
+                    the largest tolerances that keep to `accuracy` in this point alone
+        of          "position" (where left out), "rotation", or a component as "dx"; with "tolerance" names of
+                    parameters as "lengths" (where left out), "angles", "2.theta"
+        offset      where the plane is along the third axis
+        grid        (A, U): points across and up
+        axes        the tool's, (3, 3), at all points, as forward(q)[:3, :3]; None: free
+        near        the posture to begin with, (n_joints,); points are followed from their neighbours
+        progress    called now and then with the points reached for and all; False ends it: the others are not reached
+
+        The other arguments are those of `allocate`, `predict` and `inverse`. Points that are not reached are nan.
+        Ctrl-C raises KeyboardInterrupt.
+        """
+        tool = tool_point(tool_offset, frame)
+        reached = reach(
+            self,
+            plane,
+            across,
+            up,
+            offset=offset,
+            grid=grid,
+            axes=axes,
+            near=near,
+            tool_offset=tool_offset,
+            ignore_limits=ignore_limits,
+            progress=progress,
+        )
+        return fill(
+            reached,
+            what,
+            of,
+            tolerances=tolerances,
+            accuracy=accuracy,
+            method=method,
+            sigma=sigma,
+            weights=weights,
+            given=given,
+            least=least,
+            largest=largest,
+            tool=tool,
             drives=drives,
             payloads=payloads,
             gravity=gravity,
