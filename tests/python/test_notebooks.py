@@ -25,7 +25,7 @@ def test_a_notebook_runs(path, tmp_path):
 
 
 def test_there_are_notebooks():
-    assert {path.stem for path in NOTEBOOKS} >= {"reproduction", "new-arm"}
+    assert {path.stem for path in NOTEBOOKS} >= {"reproduction", "new-arm", "cluster"}
 
 
 @pytest.mark.parametrize("page", ["README.md", "docs/python.md"])
