@@ -199,6 +199,42 @@ static void test_arms_that_cannot_be_compared(void)
     check_refused(&folder, "--against", "nothing.csv", NULL, "nothing.csv: No such file");
 }
 
+/* What no double holds: a length in the other's unit, a slide at its joint value. */
+static void test_what_is_too_large(void)
+{
+    const string folder = arm_folder();
+    process process;
+    file_write(string_of("%s/m.csv", folder.text).text,
+               "units: m deg\nkind joint a alpha d theta\nppr theta 1e307 0 0 0\nnpr theta 1 0 0 0\n");
+    check_refused(&folder, "--against", "m.csv", NULL, "link 0: a length is too large in mm");
+    file_write(string_of("%s/slide.csv", folder.text).text, HEAD "npp d 0 0 1.7e308 0\nnpr theta 200 0 0 0\n");
+    run(&process, folder.text,
+        (const char *const[]){"slide.csv", "--against", "slide.csv", "--joints", "1.7e308,0", NULL});
+    process_check_status(&process, 2, "too large");
+    TEST_ASSERT_TRUE(strstr(process.errors.bytes, "--against: slide.csv, pose 1: ") != NULL);
+}
+
+/* Parameters that explain the same stand in their order. */
+static void test_what_explains_nothing_keeps_its_order(void)
+{
+    const string folder = arm_folder();
+    process process;
+    file_write(string_of("%s/arm.csv", folder.text).text,
+               HEAD "npr theta 0 0 0 0\nnpr theta 200 0 0 0\nnpr theta 0 0 0 0\nnpr theta 0 0 0 0\n");
+    file_write(string_of("%s/off", folder.text).text,
+               "link,parameter,deviation\n1,alpha,0.5\n2,alpha,0.5\n2,theta,0.5\n3,alpha,0.5\n3,theta,0.5\n1,a,0.1\n");
+    run_well(&process, folder.text,
+             (const char *const[]){"arm.csv", "--deviations", "off", "--joints", "0,0,0,0", NULL});
+    const char *at = strstr(process.output.bytes, "of distance");
+    static const char *const rows[] = {"\n  a of 1",     "\n  alpha of 1", "\n  theta of 2",
+                                       "\n  alpha of 2", "\n  theta of 3", "\n  alpha of 3"};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        TEST_ASSERT_NOT_NULL_MESSAGE(at, rows[i]);
+        at = strstr(at, rows[i]);
+        TEST_ASSERT_NOT_NULL_MESSAGE(at, rows[i]);
+    }
+}
+
 static void test_tables_of_deviations_that_are_wrong(void)
 {
     const string folder = arm_folder();
@@ -227,6 +263,9 @@ static void test_what_does_not_go_with_it(void)
         (const char *const[]){"arm.csv", "--against", "long.csv", "--deviations", "off", "--joints", "0,0", NULL});
     process_check_status(&process, 2, "both");
     check_refused(&folder, "--against", "long.csv", "--accuracy=1,1,1,1,1,1", "expected no --accuracy");
+    run(&process, folder.text, (const char *const[]){"arm.csv", "--against", "long.csv", "--region", "q1=0..1", NULL});
+    process_check_status(&process, 2, "a region");
+    TEST_ASSERT_TRUE(strstr(process.errors.bytes, "expected no --region") != NULL);
 }
 
 int main(void)
@@ -240,6 +279,8 @@ int main(void)
     RUN_TEST(test_the_same_arm);
     RUN_TEST(test_more_poses_than_a_table_holds);
     RUN_TEST(test_arms_that_cannot_be_compared);
+    RUN_TEST(test_what_is_too_large);
+    RUN_TEST(test_what_explains_nothing_keeps_its_order);
     RUN_TEST(test_tables_of_deviations_that_are_wrong);
     RUN_TEST(test_what_does_not_go_with_it);
     return UNITY_END();

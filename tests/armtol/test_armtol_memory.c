@@ -49,6 +49,8 @@ static void test_no_answer(void)
 static void test_another_arm(void)
 {
     check_short_main(armtol_main, (const char *const[]){POSED, "--against", "ur5e", NULL}, 8);
+    check_short_refused(armtol_main, (const char *const[]){POSED, "--deviations", "/dev/null", NULL},
+                        "armtol: /dev/null: no table", 8);
 }
 
 /* The tallies are drawn once; then the one is found to be there, and both are merged. */

@@ -73,7 +73,7 @@ static void add_share(table *table, double share)
     if (isnan(share)) {
         table_add_cells(table, "-");
     } else {
-        table_add_cells(table, "%.1f %%", 100 * share);
+        table_add_cells(table, "%.1f %%", fabs(share) < 0.0005 ? 0 : 100 * share); /* no -0.0 */
     }
 }
 
