@@ -17,7 +17,7 @@ quietly = @mkdir -p $(BUILD); $(1) > $(BUILD)/$(2).log 2>&1 || { cat $(BUILD)/$(
 # One build tree: goals given together take turns.
 .NOTPARALLEL:
 .PHONY: analyse coverage fuzz inverse mutants robots
-.PHONY: page test-page check-nlopt
+.PHONY: page test-page check-nlopt check-builds
 .PHONY: wheel test-python bench-python
 .PHONY: all run check test tests golden diff era machines book book-check exercises check-faults dist install clean
 .PHONY: setup
@@ -72,6 +72,12 @@ machines:
 check-faults: tests $(BUILD)/wished-valgrind
 	@$(CTEST) --tests-regex '^fault_'
 	@tests/faults/summary $(BUILD)/Testing/Temporary/LastTest.log
+
+# What gcc and clang make of the programs at every level: the bytes of golden/. `make test` leaves -O1 and -O3 out.
+check-builds: CMAKE_FLAGS += -DARMTOL_ALL_LEVELS=ON
+check-builds: tests
+	@.ci/setup gcc clang
+	@$(CTEST) --tests-regex '^build_(gcc|clang)_'
 
 # All that is read, given whatever clang's libFuzzer makes up: FUZZ_SECONDS for each of the harnesses, JOBS at a time.
 # The inputs that reach something new stay in the build folder.
