@@ -104,12 +104,6 @@ void svg_box(FILE *stream, const char *class, double x, double y, double width, 
             svg_px(y, &(pixel){""}), svg_px(width, &(pixel){""}), svg_px(height, &(pixel){""}));
 }
 
-void svg_circle(FILE *stream, const char *class, double x, double y, double radius)
-{
-    fprintf(stream, "  <circle class=\"%s\" cx=\"%s\" cy=\"%s\" r=\"%s\"/>\n", class, svg_px(x, &(pixel){""}),
-            svg_px(y, &(pixel){""}), svg_px(radius, &(pixel){""}));
-}
-
 static void put_text(FILE *stream, const char *text)
 {
     svg_put(stream, text);

@@ -29,7 +29,6 @@ void svg_put(FILE *stream, const char *text);
 
 void svg_line(FILE *stream, const char *class, double x1, double y1, double x2, double y2);
 void svg_box(FILE *stream, const char *class, double x, double y, double width, double height);
-void svg_circle(FILE *stream, const char *class, double x, double y, double radius);
 
 /* (x, y) on the base line; anchor is start, middle or end. */
 void svg_label(FILE *stream, const char *class, double x, double y, const char *anchor, const char *text);

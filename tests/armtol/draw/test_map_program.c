@@ -180,6 +180,27 @@ static void test_what_people_are_told(void)
     check_says(&process, "  0 of 4 points reached");
 }
 
+/* Round sides that both ranges are a whole number of, 24 to 60 along the longer; else 60, and at least one upwards. */
+static void test_squares_where_no_grid_is_asked_for(void)
+{
+    static const struct {
+        const char *range, *points;
+    } cases[] = {
+        {"200..260,200..230", ", 61 x 31 points "},         /* of 1 mm */
+        {"300..300.9,100..100.45", ", 61 x 31 points "},    /* of 0.015 mm */
+        {"200..300,200..216", ", 51 x 9 points "},          /* of 2 mm: 1 and 1.5 mm are too many */
+        {"200..300,200..233.3", ", 61 x 21 points "},       /* no round side: 60 and 20 of nearly 1.67 mm */
+        {"200..300,200..200.1", ", 61 x 2 points "},
+    };
+    const string folder = folder_with_flat();
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        static process process;
+        const char *const arguments[] = {"map", "flat.csv", "--plane", "xy", "--range", cases[i].range, LENGTHS, NULL};
+        run_well(&process, folder.text, arguments);
+        check_says(&process, cases[i].points);
+    }
+}
+
 /* ---- pictures ---- */
 
 #ifdef TEST_EXPAT
@@ -266,6 +287,120 @@ static void test_a_picture_of_nothing_and_one_without_a_bound(void)
     titles_of(picture.bytes, picture.length);
 }
 
+/* What follows the words before the place where the picture has `what`. */
+static const char *behind(const char *bytes, const char *words, const char *what)
+{
+    const char *at = strstr(bytes, what);
+    TEST_ASSERT_NOT_NULL_MESSAGE(at, what);
+    for (; at > bytes && strncmp(at, words, strlen(words)) != 0; at--) {
+    }
+    return at + strlen(words);
+}
+
+static double number_behind(const char *bytes, const char *words, const char *what)
+{
+    return strtod(behind(bytes, words, what), NULL);
+}
+
+/* The pose has the tool at (300, 200), the middle of nine points: its cross is in the middle of that one's cell. */
+static void test_a_pose_in_the_plane_is_marked(void)
+{
+    static process process;
+    const string folder = folder_with_flat();
+    const char *const arguments[] = {"map", "flat.csv", "--plane", "xy", "--range", "200..400,100..300", "--grid",
+                                     "3,3", "--joints", "0,1.5707963267948966", LENGTHS, "--svg", "-", NULL};
+    run_well(&process, folder.text, arguments);
+    const char *bytes = process.output.bytes, *cell = behind(bytes, "d=\"M", "<title>x 300, y 200: ");
+    const char *cross = behind(bytes, "d=\"M", "l10 10m0 -10l-10 10");
+    double left, top, right, bottom, x, y;
+    TEST_ASSERT_EQUAL_INT(4, sscanf(cell, "%lf %lfH%lfV%lf", &left, &top, &right, &bottom));
+    TEST_ASSERT_EQUAL_INT(2, sscanf(cross, "%lf %lf", &x, &y));
+    check_within(0.11, (left + right) / 2, x + 5, "across"); /* places are to a tenth */
+    check_within(0.11, (top + bottom) / 2, y + 5, "up");
+    check_says(&process, ">the pose that was given</text>");
+}
+
+/* Seen from the side the base stands on the ground, at the 0 of both axes: the 0 is written 4 below its own line. */
+static void test_an_arm_seen_from_the_side(void)
+{
+    static process process;
+    static const char *const planes[] = {"yz", "xz"};
+    const string folder = folder_new();
+    for (size_t i = 0; i < 2; i++) {
+        double x, y;
+        const char *const arguments[] = {"map", "puma560", "--plane", planes[i], "--offset", "150", "--range",
+                                         "300..600,0..300", "--grid", "3,3", LENGTHS, "--svg", "-", NULL};
+        run_well(&process, folder.text, arguments);
+        const char *bytes = process.output.bytes, *base = behind(bytes, "d=\"M", "h22l-6 -9h-10z");
+        TEST_ASSERT_EQUAL_INT(2, sscanf(base, "%lf %lf", &x, &y));
+        const double across = number_behind(bytes, " x=\"", "text-anchor=\"middle\">0</text>");
+        const double up = number_behind(bytes, " y=\"", "text-anchor=\"end\">0</text>");
+        check_within(0.11, across, x + 11, "%s: across", planes[i]);
+        check_within(0.11, up, y, "%s: up", planes[i]);
+        titles_of(bytes, process.output.length);
+    }
+}
+
+/* The first of two poses can be placed, and has its mark; the second moves a joint beyond what numbers can hold. */
+static void test_a_pose_beyond_all_numbers_has_no_mark(void)
+{
+    static process process;
+    const string folder = folder_with("far.csv", "units: mm rad\njoint a alpha d theta\nd 0 0 1e300 0\n"
+                                                 "theta 1e300 0 0 0\ntheta 1e300 0 0 0\n");
+    const string poses = string_of("%s/poses.csv", folder.text);
+    const char *const arguments[] = {"map", "far.csv", "--plane", "xy", "--range", "5e299..1.5e300,5e299..1.5e300",
+                                     "--grid", "3,3", "--poses", "poses.csv", "--of", "dx", LENGTHS, "--svg", "-",
+                                     NULL};
+    file_write(poses.text, "-1e300,0,1\n1.7976931348623157e308,0,1\n");
+    run_well(&process, folder.text, arguments);
+    check_says(&process, ">the pose that was given</text>");
+}
+
+static void draw_budget(const char *folder, const char *const arguments[], text *picture)
+{
+    static process process;
+    const string file = string_of("%s/budget.svg", folder);
+    run_well(&process, folder, arguments);
+    file_read(file.text, picture);
+    titles_of(picture->bytes, picture->length);
+}
+
+/*
+ * 3 / sqrt(3) times the root of the squares: of dx (0.2, 0.2, 0.3), of dy (0.3, 0.3), with theta 1 = 0 and 2 = pi / 2.
+ * A motor's share of dx is 0.04 / 0.17, its bar that part of the 560 that are the whole.
+ */
+static void test_the_bars_of_deviations(void)
+{
+    static text picture;
+    const string folder = folder_with_flat();
+    const char *const arguments[] = {"flat.csv", "--joints", "0,1.5707963267948966", "--tolerances",
+                                     "motors=.001,lengths=.3", "--method", "rss", "--sigma", "3", "--budget", "--svg",
+                                     "budget.svg", NULL};
+    draw_budget(folder.text, arguments, &picture);
+    TEST_ASSERT_NOT_NULL(strstr(picture.bytes, "Shares of each component's load and deviations"));
+    TEST_ASSERT_NOT_NULL(strstr(picture.bytes, ">0.714 mm</text>"));
+    TEST_ASSERT_NOT_NULL(strstr(picture.bytes, ">0.735 mm</text>"));
+    const double width = number_behind(picture.bytes, " width=\"", "dx, motor of link 1: 23.5 %");
+    check_within(0.06, 560 * 0.04 / 0.17, width, "the bar of a motor");
+}
+
+/* What is too narrow to be seen has no bar; what has no bound has none either, and says so. */
+static void test_budgets_without_bars(void)
+{
+    static text picture;
+    const string folder = folder_with_flat(), table = string_of("%s/t.csv", folder.text);
+    const char *const arguments[] = {"flat.csv", "--joints", "0.5,1", "--tolerances", "t.csv", "--budget", "--svg",
+                                     "budget.svg", NULL};
+    file_write(table.text, "link,parameter,tolerance\n0,a,1e-9\n1,a,1\n");
+    draw_budget(folder.text, arguments, &picture);
+    TEST_ASSERT_NOT_NULL(strstr(picture.bytes, "dx, machining of link 1: 100.0 %"));
+    TEST_ASSERT_NULL(strstr(picture.bytes, "dx, machining of link 0"));
+    file_write(table.text, "link,parameter,tolerance\n0,a,inf\n1,a,1\n");
+    draw_budget(folder.text, arguments, &picture);
+    TEST_ASSERT_NOT_NULL(strstr(picture.bytes, ">without a bound</text>"));
+    TEST_ASSERT_NULL(strstr(picture.bytes, "dx, "));
+}
+
 static void test_the_bars_of_a_budget(void)
 {
     static process with, without;
@@ -304,6 +439,10 @@ static void test_what_is_wrong_is_said_by_name(void)
         {{MAP, "--plane", "xy", "--range", "0..1,2,3", LENGTHS}, "is not two ranges"},
         {{MAP, "--plane", "xy", "--range", "0..1,23", LENGTHS}, "is not two ranges"},
         {{MAP, "--plane", "xy", "--range", "0..x,0..1", LENGTHS}, "has an end that is not a number"},
+        {{MAP, "--plane", "xy", "--range",
+          "0.00000000000000000000000000000000000000000000000000000000000..1,0..1", LENGTHS},
+         "0...\" is too long; expected A0..A1,B0..B1"},
+        {{MAP, RING, "--tolerances", "lengths=1e308"}, "armtol: flat in these poses: a value is not finite"},
         {{MAP, "--plane", "xy", "--range", "-1e308..1e308,0..1", LENGTHS}, "is too large, or too small"},
         {{MAP, "--plane", "xy", "--range", "0..1,0..1", "--grid", "0,5", LENGTHS},
          "--grid: \"0,5\" is wrong; expected NA,NB"},
@@ -350,6 +489,28 @@ static void test_what_is_wrong_is_said_by_name(void)
     }
 }
 
+/* A slide that d and the joint value together bring beyond what numbers can hold. */
+#define SLIDE "units: mm rad\njoint a alpha d theta\nd 0 0 1e308 0\ntheta 300 0 0 0\n"
+
+static void check_slide(const char *content, const char *joints, const char *error)
+{
+    static process process;
+    const string folder = folder_with("slide.csv", content);
+    const char *const arguments[] = {"map", "slide.csv", RING, LENGTHS, "--joints", joints, "--tsv", "x.tsv", NULL};
+    run(&process, folder.text, arguments);
+    process_check_status(&process, 2, error);
+    TEST_ASSERT_EQUAL_STRING(error, process.errors.bytes);
+    folder_check(folder.text, "slide.csv", "nothing is written");
+}
+
+/* With four joints the tool's axes in the pose are to be kept, with two the pose is where the arm starts from. */
+static void test_a_pose_that_no_number_can_hold(void)
+{
+    check_slide(SLIDE, "1e308,0", "armtol: slide: a value is not finite\n");
+    check_slide(SLIDE "theta 300 0 0 0\ntheta 300 0 0 0\n", "1e308,0,0,0",
+                "armtol: slide in this pose: a value is not finite\n");
+}
+
 /* What stood there stays where the new one cannot be written whole. */
 static void test_a_file_that_cannot_grow_is_not_replaced(void)
 {
@@ -392,11 +553,18 @@ int main(void)
     RUN_TEST(test_the_least_tolerance_is_that_of_armtol_in_the_same_pose);
     RUN_TEST(test_a_map_of_what_a_pose_asked_for);
     RUN_TEST(test_what_people_are_told);
+    RUN_TEST(test_squares_where_no_grid_is_asked_for);
     RUN_TEST(test_a_picture_is_well_formed_and_the_same_again);
     RUN_TEST(test_a_picture_of_an_arm_with_a_strange_name);
     RUN_TEST(test_a_picture_of_nothing_and_one_without_a_bound);
+    RUN_TEST(test_a_pose_in_the_plane_is_marked);
+    RUN_TEST(test_an_arm_seen_from_the_side);
+    RUN_TEST(test_a_pose_beyond_all_numbers_has_no_mark);
+    RUN_TEST(test_the_bars_of_deviations);
+    RUN_TEST(test_budgets_without_bars);
     RUN_TEST(test_the_bars_of_a_budget);
     RUN_TEST(test_what_is_wrong_is_said_by_name);
+    RUN_TEST(test_a_pose_that_no_number_can_hold);
     RUN_TEST(test_a_file_that_cannot_grow_is_not_replaced);
     RUN_TEST(test_an_interrupt_writes_nothing);
     return UNITY_END();
