@@ -72,7 +72,8 @@ static void test_a_map_of_two_flat_links_in_closed_form(void)
     for (int k = 0; k < 81; k++) {
         double row[7];
         at = read_row(at, row, 7);
-        const double x = -600 + 150 * (k % 9), y = -600 + 150 * (k / 9), r = hypot(x, y);
+        const int across = k % 9, up = k / 9;
+        const double x = -600 + 150 * across, y = -600 + 150 * up, r = hypot(x, y);
         check_same(x, row[0], "x");
         check_same(y, row[1], "y");
         TEST_ASSERT_TRUE((row[3] != 0) == (r >= 100 && r <= 500));
