@@ -53,6 +53,22 @@ static void test_another_arm(void)
                         "armtol: /dev/null: no table", 8);
 }
 
+/* Of words and of a file. */
+static void test_regions(void)
+{
+    static const char words[] = "q1=0..1;q2=10;q3=5;q4=0;path=900:0,0,0:1,0,0";
+    FILE *file = fopen("memory.region", "w");
+    TEST_ASSERT_NOT_NULL(file);
+    fprintf(file, "%s\n", words);
+    fclose(file);
+    check_short_main(armtol_main, (const char *const[]){"armtol", "scara", "--degrees", "--region", words, "--accuracy",
+                                                        "xy=.02", "--gap", "50", NULL}, 20);
+    check_short_main(armtol_main, (const char *const[]){"armtol", "scara", "--degrees", "--region", "memory.region",
+                                                        "--accuracy", "xy=.02", "--method", "rss", "--gap", "50",
+                                                        NULL}, 20);
+    remove("memory.region");
+}
+
 /* The tallies are drawn once; then the one is found to be there, and both are merged. */
 static void test_tallies(void)
 {
@@ -78,6 +94,7 @@ int main(void)
     RUN_TEST(test_positions);
     RUN_TEST(test_no_answer);
     RUN_TEST(test_another_arm);
+    RUN_TEST(test_regions);
     RUN_TEST(test_tallies);
     return UNITY_END();
 }

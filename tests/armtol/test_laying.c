@@ -189,6 +189,24 @@ static void test_what_cannot_be_laid_stays(void)
     arm_model_free(&model);
 }
 
+/* Of its names that of the fixed foot, whose joint is tilted, stays as well. */
+static void test_names_of_what_is_laid_anew(void)
+{
+    const string folder = folder_new(), file = string_of("%s/named.csv", folder.text);
+    process process;
+    file_write(file.text, "units: mm deg\nname joint a alpha d theta\nfoot fixed 0 90 40 0\n"
+                          "swing theta 0 0.05 -343774.5898120269 90\nlift theta 250 0 343774.7207117291 -90\n"
+                          "hand fixed 0 90 0 30\n");
+    run_well(&process, folder.text, (const char *const[]){"named.csv", "--show", NULL});
+    check_says(&process, "# Laid anew: ");
+    const char *at = process.output.bytes;
+    for (size_t i = 0; i < 4; i++) {
+        static const char *const names[] = {"foot", "swing", "lift", "hand"};
+        at = strstr(at, names[i]);
+        TEST_ASSERT_NOT_NULL_MESSAGE(at, names[i]);
+    }
+}
+
 static void test_snap_has_a_range(void)
 {
     static const char *const wrong[] = {"-1e-9", "0.02", "x"};
@@ -304,6 +322,7 @@ int main(void)
     RUN_TEST(test_motions_go_with_their_joints);
     RUN_TEST(test_masses_stay_where_they_are);
     RUN_TEST(test_a_table_laid_anew_says_so);
+    RUN_TEST(test_names_of_what_is_laid_anew);
     RUN_TEST(test_what_cannot_be_laid_stays);
     RUN_TEST(test_snap_has_a_range);
 #ifdef TEST_URDF

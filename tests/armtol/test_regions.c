@@ -5,6 +5,7 @@
 
 #include "unity.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,7 @@ static void test_what_words_mean(void)
     check_bound(412.3106 * turn, "box=0..400,-100..100,-");
     check_bound(405 * turn, "path=5:300,0,250:400,0,250");
     check_bound(600 * turn, "direction=0,0,-1;cone=1");
+    check_bound(400 * turn, "direction=0,0,-1;cone=1;cylinder=200..400");
     check_bound(600 * turn, "elbow=2+");
 }
 
@@ -102,11 +104,13 @@ static const wrong_region wrong_regions[] = {
     {"q2=1..1e400", "q2: \"1e400\" is too large"},
     {"q2=-..3", "q2: \"-\" is not a number"},
     {"q2=-151..0", "the joint of link 1 gets to -151, beyond its limits; expected -150 to 150 deg"},
+    {"box=1..x,3..4,-", "box: \"x\" is not a number"},
     {"box=1..2,3..4", "box: expected three ranges"},
     {"box=1..2,3..4,-,-", "box: expected three ranges"},
     {"box=1..2,3..4,4..3", "box: \"4..3\" runs down"},
     {"box=-,-,-;box=-,-,-", "box is given twice"},
     {"cylinder=-5..6", "cylinder: a radius is not negative"},
+    {"cylinder=-..-6", "the cylinder is none"},
     {"cylinder=5..6,1..2,3", "cylinder: too few numbers"},
     {"cylinder=5..6,1..2,3,4,5", "cylinder: too many numbers"},
     {"cylinder=a..6", "cylinder: \"a\" is not a number"},
@@ -119,6 +123,7 @@ static const wrong_region wrong_regions[] = {
     {"direction=0,0,1", "direction and cone go together"},
     {"cone=1", "direction and cone go together"},
     {"direction=0,0,0;cone=1", "direction: 0,0,0 is none"},
+    {"direction=0,x,1;cone=1", "direction: \"x\" is not a number"},
     {"direction=0,0;cone=1", "direction: too few numbers"},
     {"direction=0,0,1;cone=-1", "cone: an angle is not negative"},
     {"direction=0,0,1;cone=w", "cone: \"w\" is not a number"},
@@ -166,6 +171,7 @@ static const wrong_call wrong_calls[] = {
     {{"scara", "--region", "q2=0", WISH, "--given", "motors=1"}, "no tolerances: in some pose of the region"},
     {{"scara", "--region", "q2=0", WISH, "--drives", "2.compliance=1e-4", "--payload", "2"},
      "the drive of link 2 gives way"},
+    {{"scara", "--metres", "--region", "box=0..1e306,-,-", WISH}, "--region: box: \"1e306\" is too large"},
     {{"adeptone", "--region", "q2=0", WISH}, "slides and has no limits; expected its range"},
 };
 
@@ -178,7 +184,55 @@ static void test_calls_that_are_wrong(void)
     }
 }
 
+/* One turn is the range of a joint that has an end at most: here that is none. */
+static void test_a_joint_without_a_range(void)
+{
+    const string folder = folder_new();
+    file_write(string_of("%s/arm.csv", folder.text).text,
+               "units: mm deg\njoint,a,alpha,d,theta,low\ntheta,100,0,0,0,200\n");
+    run(&first, folder.text, (const char *const[]){"arm.csv", "--ignore-limits", "--region", "box=-,-,-", WISH, NULL});
+    process_check_status(&first, 2, "no range");
+    TEST_ASSERT_EQUAL_STRING("armtol: --region: joint 1 has no range\n", first.errors.bytes);
+}
+
+/* wx has no bound where alpha, of a link that turns about its own x, has none. */
+static void test_tolerances_without_a_bound(void)
+{
+    const string folder = folder_new();
+    file_write(string_of("%s/t.csv", folder.text).text, "link,parameter,tolerance\n0,theta,.001\n0,alpha,inf\n");
+    run(&first, folder.text, (const char *const[]){"scara", "--region", "q2=0", "--tolerances", "t.csv", WISH, NULL});
+    process_check_status(&first, 2, "no bound");
+    TEST_ASSERT_EQUAL_STRING("armtol: --region: the tolerances leave a component without a bound of what is asked "
+                             "there\n", first.errors.bytes);
+}
+
 /* ---- ends ---- */
+
+static void test_a_pose_that_is_not_found(void)
+{
+    run(&first, NULL, (const char *const[]){"scara", "--region", "q1=-1..1;q2=-1..1;q3=0..200;box=0..599.9,0..0.05,-;"
+                                            "cylinder=599.99..700", WISH, "--most", "2", NULL});
+    process_check_status(&first, 1, "two boxes");
+    TEST_ASSERT_EQUAL_STRING("armtol: --region: no pose of scara was found in it; --most has the boxes to look for "
+                             "one\n", first.errors.bytes);
+}
+
+static void test_an_interrupted_run_tells_what_it_has(void)
+{
+    const process_setup setup = {
+        .program = TEST_ARMTOL,
+        .arguments = (const char *const[]){"puma560", "--ignore-limits", "--region", "q1=-1..1", "--accuracy", "r=.5",
+                                           "--gap", ".0001", "--most", "1000000000", NULL},
+        .wires = {WIRE_PIPE, WIRE_PIPE, WIRE_TERMINAL}};
+    process_start(&first, &setup);
+    process_expect(&first, " boxes");
+    kill(first.id, SIGINT);
+    process_finish(&first);
+    process_check_status(&first, 1, "interrupted");
+    TEST_ASSERT_NOT_NULL(strstr(first.errors.bytes,
+                                "\rarmtol: interrupted before the gap was 0.0001 %; what is proved is told\n"));
+    check_says(&first, "r: that the accuracy is kept everywhere in the region is NOT proved.");
+}
 
 static void test_boxes_that_are_not_enough(void)
 {
@@ -216,6 +270,10 @@ int main(void)
     RUN_TEST(test_the_elbow_of_a_puma);
     RUN_TEST(test_regions_that_are_wrong);
     RUN_TEST(test_calls_that_are_wrong);
+    RUN_TEST(test_a_joint_without_a_range);
+    RUN_TEST(test_tolerances_without_a_bound);
+    RUN_TEST(test_a_pose_that_is_not_found);
+    RUN_TEST(test_an_interrupted_run_tells_what_it_has);
     RUN_TEST(test_boxes_that_are_not_enough);
     RUN_TEST(test_tolerances_that_are_too_wide);
     RUN_TEST(test_arms_are_drawn_in_poses_of_the_region);

@@ -5,6 +5,7 @@
 
 #include "unity.h"
 
+#include <fcntl.h>
 #include <inttypes.h>
 #include <signal.h>
 #include <stdio.h>
@@ -395,6 +396,15 @@ static void test_what_is_something_else_is_drawn_anew(void)
     check_drawn_anew(folder.text, hundred, "3/4", "the tally is cut: its end is missing\n");
 }
 
+static void test_a_tally_of_another_version_is_drawn_anew(void)
+{
+    const string folder = folder_new(), tally = path_in(folder.text, "tally");
+    draw_well(folder.text, hundred, "2/4", "tally");
+    replace_in(tally.text, "version " TEST_VERSION, "version 9.9.9");
+    seal(tally.text);
+    check_drawn_anew(folder.text, hundred, "2/4", "armtol: tally: another version of armtol; it is drawn anew\n");
+}
+
 static void check_in_the_way(const char *folder, const char *name, int status, const char *words)
 {
     process process;
@@ -422,6 +432,53 @@ static void test_what_is_in_the_way(void)
     draw_well(folder.text, hundred, "1/4", "below/tally");
     draw_well(folder.text, hundred, "2/4", path_in(folder.text, "absolute").text);
     folder_check(folder.text, "absolute below fifo poem", "in the way");
+}
+
+/* Links to what cannot be opened, or not be read. */
+static void test_links_in_the_way(void)
+{
+    const string folder = folder_new();
+    TEST_ASSERT_EQUAL_INT(0, symlink("endless", path_in(folder.text, "endless").text));
+    TEST_ASSERT_EQUAL_INT(0, symlink(".", path_in(folder.text, "here").text));
+    check_in_the_way(folder.text, "endless", 1, "armtol: endless: Too many levels of symbolic links\n");
+    check_in_the_way(folder.text, "here", 1, "armtol: here: Is a directory\n");
+}
+
+/* The other end of a FIFO that is read by now: at most some seconds are waited for that. */
+static int open_read_fifo(const char *path)
+{
+    const struct timespec moment = {0, 10000000};
+    int descriptor = -1;
+    for (int tries = 0; tries < 1000 && descriptor < 0; tries++) {
+        descriptor = open(path, O_WRONLY | O_NONBLOCK);
+        nanosleep(&moment, NULL);
+    }
+    TEST_ASSERT_TRUE(descriptor >= 0);
+    return descriptor;
+}
+
+/* A folder comes into the place of the tally while it is looked at: nothing is replaced, and no draft is left. */
+static void test_what_comes_into_the_way(void)
+{
+    static const char cut[] = "armtol tally 1\n";
+    const string folder = folder_new(), fifo = path_in(folder.text, "fifo"), tally = path_in(folder.text, "t");
+    process process;
+    const process_setup setup = {
+        .program = TEST_ARMTOL,
+        .arguments = (const char *const[]){ASKED, "--verify", "9", "--shard", "1/1", "--tally", "t", NULL},
+        .folder = folder.text};
+    TEST_ASSERT_EQUAL_INT(0, mkfifo(fifo.text, 0600));
+    TEST_ASSERT_EQUAL_INT(0, symlink("fifo", tally.text));
+    process_start(&process, &setup);
+    const int writer = open_read_fifo(fifo.text);
+    TEST_ASSERT_EQUAL_INT(0, unlink(tally.text));
+    folder_below(folder.text, "t");
+    TEST_ASSERT_EQUAL_INT(strlen(cut), write(writer, cut, strlen(cut)));
+    close(writer);
+    process_finish(&process);
+    process_check_status(&process, 1, "a folder");
+    TEST_ASSERT_EQUAL_STRING("armtol: ./t: exists and is not a regular file", process_last_line(&process).text);
+    folder_check(folder.text, "fifo t", "a folder");
 }
 
 /* Names as long as a file's may be have drafts that are shorter. */
@@ -543,6 +600,9 @@ int main(void)
     RUN_TEST(test_what_is_there_is_kept);
     RUN_TEST(test_what_is_something_else_is_drawn_anew);
     RUN_TEST(test_what_is_in_the_way);
+    RUN_TEST(test_a_tally_of_another_version_is_drawn_anew);
+    RUN_TEST(test_links_in_the_way);
+    RUN_TEST(test_what_comes_into_the_way);
     RUN_TEST(test_a_long_name);
     RUN_TEST(test_wrong_options);
     RUN_TEST(test_a_wish_without_a_bound);

@@ -129,7 +129,7 @@ static bool take_words(const char *text, const armtol_arm *arm, const units *uni
                        region_words *words)
 {
     char *line = malloc(strlen(text) + 1);
-    if (!start(arm, words) || line == NULL) {
+    if (!start(arm, words) || !enough_memory(line != NULL)) {
         free(line);
         return false;
     }

@@ -217,12 +217,10 @@ static bool divide(bounding *work, const open_box *box)
     const double middle = work->range[j] + (work->range[n + j] - work->range[j]) / 2;
     memcpy(work->child, work->range, size);
     work->child[n + j] = middle;
-    if (!look_at(work, work->child, box->bound)) {
-        return false;
-    }
+    const bool enough = look_at(work, work->child, box->bound);
     memcpy(work->child, work->range, size);
     work->child[j] = middle;
-    return look_at(work, work->child, box->bound);
+    return look_at(work, work->child, box->bound) && enough;
 }
 
 /* ---- all of them ---- */
@@ -263,12 +261,9 @@ static bool all_boxes(bounding *work, armtol_enclosure *found)
 }
 
 /* Poses from which to climb before boxes are halved: what is found early need not be bounded. */
-static void seed(bounding *work, bool started)
+static void seed(bounding *work)
 {
     enum { DRAWN = 12 };
-    if (started) {
-        try_pose(work, work->best);
-    }
     for (int i = 0; i < DRAWN && work->low <= work->target->too_much; i++) {
         if (pose_draw(work->search, work->pose)) {
             memcpy(work->nearer, work->pose, work->chain->n_variables * sizeof *work->pose);
@@ -278,14 +273,14 @@ static void seed(bounding *work, bool started)
     }
 }
 
-armtol_status enclose(pose_search *search, const enclose_target *target, bool started, double variables[],
+armtol_status enclose(pose_search *search, const enclose_target *target, double variables[],
                       armtol_enclosure *found)
 {
     bounding work;
     found->ended = ARMTOL_ENDED_GAP;
     bool enough = start(&work, search, target, variables);
     if (enough) {
-        seed(&work, started);
+        seed(&work);
         enough = all_boxes(&work, found);
         found->low = work.low;
         found->high = high_of(&work);

@@ -16,11 +16,11 @@ typedef struct enclose_target {
 } enclose_target;
 
 /*
- * Enclose the largest error of a measured chain over the region. variables has a start with a pose in the region, or
- * NULL for none, and in the end the pose of `low`. found->low, high, boxes and ended are written.
+ * Enclose the largest error of a measured chain over the region. variables has in the end the pose of `low`.
+ * found->low, high, boxes and ended are written.
  * ARMTOL_OUT_OF_REACH: no pose is in the region. ARMTOL_NOT_SOLVED: none was found. ARMTOL_NO_MEMORY.
  */
-armtol_status enclose(pose_search *search, const enclose_target *target, bool started, double variables[],
+armtol_status enclose(pose_search *search, const enclose_target *target, double variables[],
                       armtol_enclosure *found);
 
 /* Whether the measured chain's error is 0 in all of its ranges, rounding apart. False too where memory is short. */

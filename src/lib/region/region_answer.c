@@ -167,7 +167,7 @@ static bool find_first(work *work)
     armtol_enclosure found = work->made->enclosures[0];
     mark(work, 1);
     measure_with(work, &found, work->marks);
-    const armtol_status status = enclose(&work->search, &target, false, work->variables, &found);
+    const armtol_status status = enclose(&work->search, &target, work->variables, &found);
     if (status == ARMTOL_OK) {
         return append_found(work, &work->drawn);
     }
@@ -207,6 +207,8 @@ static bool is_seen(work *work, const armtol_enclosure *enclosure)
             return true;
         }
     }
+    /* Drawing may not get into the region: this pose is in it. */
+    memcpy(work->variables + CHAIN_DIRECTIONS, work->drawn.q, work->n_joints * sizeof *work->variables);
     return true;
 }
 
@@ -226,7 +228,7 @@ static bool enclose_measure(work *work, armtol_enclosure *enclosure)
         .context = work->how.context,
     };
     measure_with(work, enclosure, work->answer->tolerances);
-    const armtol_status status = enclose(&work->search, &target, false, work->variables, enclosure);
+    const armtol_status status = enclose(&work->search, &target, work->variables, enclosure);
     if (status == ARMTOL_NO_MEMORY) {
         return out_of_memory(work);
     }

@@ -520,6 +520,7 @@ static void test_wrong_input(void)
     wish = point_at(1e300, 1, 1);
     TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_inverse_find(inverse, &wish, &branches));
     TEST_ASSERT_EQUAL_UINT(77, branches.count);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_NOT_FINITE, armtol_inverse_follow(inverse, &wish, NULL, &branches.best));
 }
 
 int main(void)

@@ -177,6 +177,93 @@ static void test_a_block_of_a_planar_arm(void)
     armtol_region_answer_destroy(answer);
 }
 
+/* The tool is on the ring's own axis, and nowhere else. */
+static void test_the_axis_of_a_ring(void)
+{
+    const double s = 1e-3, tolerances[PLANAR_COLUMNS] = {[THETA_1] = s}, none[] = {0, 0};
+    const armtol_norm disc = {3, FREE};
+    const armtol_ring ring = {.axis = {0, 0, 1}, .point = {500, 0, 0}, .outer = 1, .bottom = -1, .top = 1};
+    const armtol_region region = {.low = none, .high = none, .ring = &ring};
+    const armtol_question question = {.arm = &planar, .tolerances = tolerances, .norms = &disc, .n_norms = 1};
+    armtol_region_answer *answer = answer_of(&question, &region, NULL);
+    check_encloses(s * (length_1 + length_2), 0.01, &answer->enclosures[0], "stretched");
+    armtol_region_answer_destroy(answer);
+}
+
+/* The second joint turns back what the first turns, but for 0.3: the second link keeps its direction. */
+static void test_a_joint_that_follows(void)
+{
+    const double s = 1e-3, tolerances[PLANAR_COLUMNS] = {[THETA_1] = s}, low[] = {0}, high[] = {0.7};
+    const double accuracy[] = {1, FREE, FREE, FREE, FREE, FREE};
+    const armtol_motion motions[] = {{0, 1, 0, 1}, {0, -1, 0.3, 1}};
+    armtol_arm arm = planar;
+    arm.motions = motions;
+    const armtol_region region = {.low = low, .high = high};
+    const armtol_question question = {.arm = &arm, .tolerances = tolerances, .accuracy = accuracy};
+    armtol_region_answer *answer = answer_of(&question, &region, NULL);
+    check_encloses(s * (length_1 * sin(0.7) + length_2 * sin(0.3)), 0.01, &answer->enclosures[0], "dx");
+    armtol_region_answer_destroy(answer);
+}
+
+/*
+ * A short second link turns a million times as fast: the tool is near a point at full reach for very little of
+ * the joint's range. Poses that are drawn do not get there; boxes do.
+ */
+static void test_a_region_that_is_hard_to_find(void)
+{
+    enum { TURNS = 200000 };
+    const double times = 1e6, turn = 360 * DEGREE, s = 1e-3, tolerances[PLANAR_COLUMNS] = {[THETA_1] = s};
+    const double at = TURNS * turn / times, point[] = {301 * cos(at), 301 * sin(at), 0}, low[] = {0}, high[] = {3};
+    const armtol_motion motions[] = {{0, 1, 0, 1}, {0, times, 0, 1}};
+    const armtol_link links[] = {planar_links[0], {ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 1}};
+    const armtol_norm disc = {3, FREE}, wish = {3, 0.02};
+    const armtol_path path = {point, 1, 1e-5};
+    const armtol_region region = {.low = low, .high = high, .path = &path};
+    armtol_arm arm = planar;
+    arm.links = links;
+    arm.motions = motions;
+    const armtol_question given = {.arm = &arm, .tolerances = tolerances, .norms = &disc, .n_norms = 1};
+    const armtol_question asked = {.arm = &arm, .norms = &wish, .n_norms = 1};
+    armtol_region_answer *answer = answer_of(&given, &region, NULL);
+    check_encloses(s * 301, 0.01, &answer->enclosures[0], "at full reach");
+    armtol_region_answer_destroy(answer);
+    answer = answer_of(&asked, &region, NULL);
+    TEST_ASSERT_TRUE(answer->enclosures[0].high <= 0.02 && answer->enclosures[0].low >= 0.02 / 1.01);
+    for (size_t i = 0; i < answer->n_poses; i++) {
+        const double q = answer->q[i], x = 300 * cos(q) + cos((1 + times) * q), y = 300 * sin(q) + sin((1 + times) * q);
+        check_within(2e-5, point[0], x, "x of pose %zu", i);
+        check_within(2e-5, point[1], y, "y of pose %zu", i);
+    }
+    armtol_region_answer_destroy(answer);
+}
+
+/* Of so many joints no box has few enough corners: what is found is told, and that nothing is proved. */
+static void test_a_snake_has_no_bound(void)
+{
+    enum { JOINTS = 17 };
+    double tolerances[4 * JOINTS] = {[THETA_1] = 1e-3}, low[JOINTS] = {0}, high[JOINTS];
+    armtol_link links[JOINTS];
+    armtol_drive drives[JOINTS];
+    armtol_arm snake = planar;
+    for (size_t i = 0; i < JOINTS; i++) {
+        links[i] = (armtol_link){ARMTOL_PPR, ARMTOL_REVOLUTE, .a = 10};
+        drives[i] = no_drives[0];
+        high[i] = 0.01;
+    }
+    snake.n_links = JOINTS;
+    snake.links = links;
+    snake.drives = drives;
+    const armtol_norm disc = {3, FREE};
+    const armtol_enclosing few = {.most = 20};
+    const armtol_region region = {.low = low, .high = high};
+    const armtol_question question = {.arm = &snake, .tolerances = tolerances, .norms = &disc, .n_norms = 1};
+    armtol_region_answer *answer = answer_of(&question, &region, &few);
+    const armtol_enclosure *found = &answer->enclosures[0];
+    TEST_ASSERT_TRUE(found->ended == ARMTOL_ENDED_MOST && isinf(found->high));
+    check_within(1e-3 * 0.17, 0.17, found->low, "stretched");
+    armtol_region_answer_destroy(answer);
+}
+
 /* ---- a SCARA ---- */
 
 static const armtol_arm *scara(void)
@@ -342,6 +429,10 @@ int main(void)
     RUN_TEST(test_a_ring_of_a_planar_arm);
     RUN_TEST(test_a_path_of_a_planar_arm);
     RUN_TEST(test_a_block_of_a_planar_arm);
+    RUN_TEST(test_the_axis_of_a_ring);
+    RUN_TEST(test_a_joint_that_follows);
+    RUN_TEST(test_a_region_that_is_hard_to_find);
+    RUN_TEST(test_a_snake_has_no_bound);
     RUN_TEST(test_the_slide_of_a_scara);
     RUN_TEST(test_the_rotation_of_a_scara);
     RUN_TEST(test_tolerances_of_25_poses_do_not_hold_elsewhere);
