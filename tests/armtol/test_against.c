@@ -97,7 +97,7 @@ static void test_an_angle(void)
     }
     from = numbers_of(&process, from, "distance", &found, 1);
     check_within(1e-11, sum / 3, found, "mean");
-    from = numbers_of(&process, from, "distance", &found, 1);
+    numbers_of(&process, from, "distance", &found, 1);
     check_within(1e-11, largest, found, "largest");
 }
 
@@ -114,7 +114,7 @@ static void test_two_differences(void)
     from = numbers_of(&process, from, "of_distance", &parts[0], 1);
     from = numbers_of(&process, from, "distance", &sizes[1], 1);
     from = numbers_of(&process, from, "of_distance", &parts[1], 1);
-    from = numbers_of(&process, from, "of_distance", &parts[2], 1);
+    numbers_of(&process, from, "of_distance", &parts[2], 1);
     const double reach = sqrt(300 * 300 + 200 * 200 + 2 * 300 * 200 * cos(30 * degree));
     check_within(1e-11, 2 * reach * sin(0.125 * degree), sizes[0], "the turn moves farther and comes first");
     check_within(1e-11, 0.5, sizes[1], "the length");

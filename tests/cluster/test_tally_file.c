@@ -93,13 +93,13 @@ static tally_result read_from(const char bytes[], size_t length, tally_head *hea
 }
 
 /* With one message exactly, and nothing to free. */
-static void check_not_whole(const char bytes[], size_t length, tally_result expected, const char *words)
+static void check_not_whole(const char bytes[], size_t length, tally_result expected, const char *says)
 {
     said said;
     tally_head head;
-    TEST_ASSERT_EQUAL_INT_MESSAGE(expected, read_from(bytes, length, &head, &said), words);
+    TEST_ASSERT_EQUAL_INT_MESSAGE(expected, read_from(bytes, length, &head, &said), says);
     TEST_ASSERT_TRUE(head.words == NULL && head.n_words == 0);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said.text, words), said.text);
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(said.text, says), said.text);
     TEST_ASSERT_TRUE(strchr(said.text, '\n') == said.text + strlen(said.text) - 1);
 }
 
@@ -205,11 +205,11 @@ static size_t forge(char bytes[BYTES], const char *old, const char *new)
                                             tally_checksum(TALLY_CHECKSUM_START, forged, (size_t)length));
 }
 
-static void check_forged(const char *old, const char *new, const char *words)
+static void check_forged(const char *old, const char *new, const char *says)
 {
     static char bytes[BYTES];
     const size_t length = forge(bytes, old, new);
-    check_not_whole(bytes, length, TALLY_DAMAGED, words);
+    check_not_whole(bytes, length, TALLY_DAMAGED, says);
 }
 
 static void test_counts_that_cannot_be(void)

@@ -276,19 +276,22 @@ static void put_axes(FILE *stream, const sheet *sheet)
     char text[64];
     const double step_x = scale_step(sheet->view[1] - sheet->view[0], 8), step_y =
         scale_step(sheet->view[3] - sheet->view[2], 7);
-    for (double x = scale_first(sheet->view[0], step_x); x <= sheet->view[1]; x += step_x) {
+    double x = scale_first(sheet->view[0], step_x), y = scale_first(sheet->view[2], step_y);
+    while (x <= sheet->view[1]) {
         const double at = sheet_world_x(sheet, x);
         svg_line(stream, "sg", at, sheet->top, at, sheet->bottom);
         svg_line(stream, "sm", at, sheet->bottom, at, sheet->bottom + 4);
         snprintf(text, sizeof text, "%.6g", fabs(x) < step_x * 1e-6 ? 0 : x);
         svg_label(stream, "small f0", at, sheet->bottom + 17, "middle", text);
+        x += step_x;
     }
-    for (double y = scale_first(sheet->view[2], step_y); y <= sheet->view[3]; y += step_y) {
+    while (y <= sheet->view[3]) {
         const double at = sheet_world_y(sheet, y);
         svg_line(stream, "sg", sheet->left, at, sheet->right, at);
         svg_line(stream, "sm", sheet->left - 4, at, sheet->left, at);
         snprintf(text, sizeof text, "%.6g", fabs(y) < step_y * 1e-6 ? 0 : y);
         svg_label(stream, "small f0", sheet->left - 7, at + 4, "end", text);
+        y += step_y;
     }
     snprintf(text, sizeof text, "%s, %s", map_axis_name(plan->right), unit);
     svg_label(stream, "f0", (sheet->left + sheet->right) / 2, sheet->bottom + 36, "middle", text);

@@ -157,9 +157,11 @@ static void take_usual_grid(map_plan *plan)
     const double longer = fmax(plan->last[0] - plan->first[0], plan->last[1] - plan->first[1]);
     const double decade = units_taken(&plan->request->units, true, 1);
     double power = decade;
-    for (; power * 10 * USUAL <= longer; power *= 10) {
+    while (power * 10 * USUAL <= longer) {
+        power *= 10;
     }
-    for (; power * USUAL > longer; power /= 10) {
+    while (power * USUAL > longer) {
+        power /= 10;
     }
     for (size_t i = 0; i < 18; i++) {
         const double step = digits[i % 9] * power * (i < 9 ? 1 : 10);

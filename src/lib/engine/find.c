@@ -225,8 +225,8 @@ static void pack_norms(rows *rows, const armtol_answer *answer, tightest *tighte
     for (size_t i = 0; i < answer->n_norms * answer->n_poses; i++) {
         const size_t norm = i % answer->n_norms, pose = i / answer->n_norms;
         const double limit = answer->norms[norm].limit;
-        double direction[6];
         if (isfinite(limit)) {
+            double direction[6];
             const double *known = armtol_answer_bounded(answer, pose);
             const double given = cuts_norm(&rows->cuts, answer, norm, pose, known, direction);
             note_left(tightest, cuts_is_seen(answer, norm, pose, rows->asked), (limit - given) / limit,

@@ -37,7 +37,8 @@ typedef struct walk {
 static armtol_wish wish_of(const walk *walk, size_t point)
 {
     const armtol_map_plane *plane = walk->plane;
-    const double i = (double)(point % plane->n_across), j = (double)(point / plane->n_across);
+    const size_t column = point % plane->n_across, row = point / plane->n_across;
+    const double i = (double)column, j = (double)row;
     armtol_wish wish = {plane->axes, plane->point_only};
     for (int d = 0; d < 3; d++) {
         wish.tool.m[d][3] = plane->first[d] + i * plane->across[d] + j * plane->up[d];
@@ -303,7 +304,6 @@ static void clear(walk *walk)
 
 static armtol_status walk_all(walk *walk)
 {
-    double tool[3] = {0};
     if (!get_memory(walk)) {
         return ARMTOL_NO_MEMORY;
     }
@@ -312,6 +312,7 @@ static armtol_status walk_all(walk *walk)
     const bool has_own = walk->setup->near == NULL && !walk->plane->point_only;
     armtol_status status = ARMTOL_OK;
     if (!has_own || !walk_by_own(walk)) {
+        double tool[3] = {0};
         walk->passed = 0;
         status = walk->setup->near != NULL ? find_tool(walk, walk->setup->near, tool) : ARMTOL_OK;
         status = status == ARMTOL_OK ? walk_regions(walk, tool) : status;

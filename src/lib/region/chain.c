@@ -14,20 +14,26 @@ static const double negligible = 1e-12; /* of src/lib/tool/rounding.c */
 #define HALF_TURN 3.1415926535897936
 #define TURN 6.283185307179587
 
+/* Where an arm has no motions, it drives all its joints. */
+static armtol_motion motion_of(const armtol_arm *arm, size_t link)
+{
+    return arm->motions != NULL ? arm->motions[link] : (armtol_motion){.follows = link, .multiplier = 1, .sign = 1};
+}
+
 static void take_motion(const armtol_arm *arm, size_t link, const size_t variables[], chain_link *made)
 {
-    const armtol_motion *motion = arm->motions != NULL ? &arm->motions[link] : NULL;
+    const armtol_motion motion = motion_of(arm, link);
     made->leads = armtol_arm_is_driven(arm, link);
-    made->times = motion != NULL ? motion->sign : 1;
+    made->times = motion.sign;
     made->variable = CHAIN_FIXED;
     if (arm->links[link].joint == ARMTOL_FIXED) {
         made->leads = false;
     } else if (made->leads) {
         made->variable = variables[link];
     } else {
-        made->variable = variables[motion->follows];
-        made->plus = made->times * motion->offset;
-        made->times *= motion->multiplier;
+        made->variable = variables[motion.follows];
+        made->plus = made->times * motion.offset;
+        made->times *= motion.multiplier;
     }
 }
 

@@ -42,8 +42,8 @@ bool corner_box_of(const chain *chain, const double low[], const double high[], 
 /* The corners of one pose: one each. */
 void corner_box_at(const chain *chain, const double variables[], corner_box *box);
 
-/* Where the tool is at all corners of the links: space->points and, where turned, space->tools. */
-void corners_place(const chain *chain, const corner_box *box, bool turned, corner_space *space);
+/* Where the tool is at all corners of the links: space->points and, where turned_too, space->tools. */
+void corners_place(const chain *chain, const corner_box *box, bool turned_too, corner_space *space);
 
 /* The largest of the sum at all corners, and at which it is: in each of 2 + n_links. */
 double corners_largest(const chain *chain, const corner_box *box, corner_space *space, size_t at[]);

@@ -146,7 +146,8 @@ static double values[N_X * N_Y];
 static void fill(double of(double x, double y))
 {
     for (size_t k = 0; k < N_X * N_Y; k++) {
-        values[k] = of((double)(k % N_X), (double)(k / N_X));
+        const size_t column = k % N_X, row = k / N_X;
+        values[k] = of((double)column, (double)row);
     }
 }
 

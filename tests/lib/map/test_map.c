@@ -53,8 +53,9 @@ static void make_flat(void)
     };
     two.arm.drives = two.drives;
     for (size_t i = 0; i < GRID; i++) {
-        two.q[2 * i] = -PI + 2 * PI * (double)(i % SIDE) / SIDE;
-        two.q[2 * i + 1] = -PI + 2 * PI * (double)(i / SIDE) / SIDE; /* 0 is in it: stretched */
+        const size_t column = i % SIDE, row = i / SIDE;
+        two.q[2 * i] = -PI + 2 * PI * (double)column / SIDE;
+        two.q[2 * i + 1] = -PI + 2 * PI * (double)row / SIDE; /* 0 is in it: stretched */
     }
 }
 
@@ -402,8 +403,9 @@ static armtol_map_plane plane_of(const double first[3], size_t up, double step)
 
 static void point_of(const armtol_map_plane *plane, size_t k, double point[3])
 {
+    const size_t column = k % WIDE, row = k / WIDE;
     for (int d = 0; d < 3; d++) {
-        point[d] = plane->first[d] + (double)(k % WIDE) * plane->across[d] + (double)(k / WIDE) * plane->up[d];
+        point[d] = plane->first[d] + (double)column * plane->across[d] + (double)row * plane->up[d];
     }
 }
 

@@ -335,7 +335,8 @@ static armtol_answer *tolerances_of_one_height(const armtol_norm *disc)
 {
     double q[4 * HEIGHTS];
     for (size_t i = 0; i < HEIGHTS; i++) {
-        const double pose[] = {(-100 + 50 * (double)(i / 5)) * DEGREE, (-140 + 70 * (double)(i % 5)) * DEGREE, 20, 0};
+        const size_t first = i / 5, second = i % 5;
+        const double pose[] = {(-100 + 50 * (double)first) * DEGREE, (-140 + 70 * (double)second) * DEGREE, 20, 0};
         memcpy(q + 4 * i, pose, sizeof pose);
     }
     const armtol_question question = {.arm = scara(), .q = q, .n_poses = HEIGHTS, .norms = disc, .n_norms = 1};

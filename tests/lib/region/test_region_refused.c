@@ -36,7 +36,7 @@ static void check_refused(armtol_status status, armtol_region_fault expected, co
 
 static void test_ranges_that_are_none(void)
 {
-    const double down[4] = {-1, 2, 0, -1}, endless[4] = {1, (double)INFINITY, 200, 1};
+    static const double down[4] = {-1, 2, 0, -1}, endless[4] = {1, (double)INFINITY, 200, 1};
     region.low = down;
     check_refused(ARMTOL_BAD_RANGE, ARMTOL_REGION_RANGE, NULL);
     region.low = low;
@@ -97,7 +97,7 @@ static void test_drives_under_a_load(void)
 static void test_what_is_asked(void)
 {
     const armtol_enclosing fine = {.gap = 1e-9}, coarse = {.gap = 20};
-    const armtol_norm none = {1, 1};
+    static const armtol_norm none = {1, 1};
     check_refused(ARMTOL_BAD_RANGE, ARMTOL_REGION_GAP, &fine);
     check_refused(ARMTOL_BAD_RANGE, ARMTOL_REGION_GAP, &coarse);
     question.method = ARMTOL_METHOD_SPHERE;
