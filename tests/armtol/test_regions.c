@@ -210,8 +210,8 @@ static void test_tolerances_without_a_bound(void)
 
 static void test_a_pose_that_is_not_found(void)
 {
-    run(&first, NULL, (const char *const[]){"scara", "--region", "q1=-1..1;q2=-1..1;q3=0..200;box=0..599.9,0..0.05,-;"
-                                            "cylinder=599.99..700", WISH, "--most", "2", NULL});
+    static const char edge[] = "q1=-1..1;q2=-1..1;q3=0..200;box=0..599.9,0..0.05,-;cylinder=599.99..700";
+    run(&first, NULL, (const char *const[]){"scara", "--region", edge, WISH, "--most", "2", NULL});
     process_check_status(&first, 1, "two boxes");
     TEST_ASSERT_EQUAL_STRING("armtol: --region: no pose of scara was found in it; --most has the boxes to look for "
                              "one\n", first.errors.bytes);

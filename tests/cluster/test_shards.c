@@ -462,11 +462,9 @@ static void test_what_comes_into_the_way(void)
 {
     static const char cut[] = "armtol tally 1\n";
     const string folder = folder_new(), fifo = path_in(folder.text, "fifo"), tally = path_in(folder.text, "t");
+    static const char *const arguments[] = {ASKED, "--verify", "9", "--shard", "1/1", "--tally", "t", NULL};
     process process;
-    const process_setup setup = {
-        .program = TEST_ARMTOL,
-        .arguments = (const char *const[]){ASKED, "--verify", "9", "--shard", "1/1", "--tally", "t", NULL},
-        .folder = folder.text};
+    const process_setup setup = {.program = TEST_ARMTOL, .arguments = arguments, .folder = folder.text};
     TEST_ASSERT_EQUAL_INT(0, mkfifo(fifo.text, 0600));
     TEST_ASSERT_EQUAL_INT(0, symlink("fifo", tally.text));
     process_start(&process, &setup);
