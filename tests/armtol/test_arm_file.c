@@ -498,6 +498,7 @@ static void test_quotes_that_are_wrong(void)
     check_refused("3:10: text behind the quoted cell; expected a separator or the end of the line",
                   UNITS "joint a alpha d theta\ntheta \"0\"0 0 1 2\n");
     check_refused("2:19: the quoted cell does not end on this line", UNITS "joint,alpha,theta,\"a\n");
+    check_refused("2:24: the quoted cell does not end on this line", UNITS "name,joint,alpha,theta,\"a\n");
 }
 
 static void test_what_is_no_text(void)

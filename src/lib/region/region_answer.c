@@ -171,10 +171,9 @@ static bool find_first(work *work)
     if (status == ARMTOL_OK) {
         return append_found(work, &work->drawn);
     }
-    return status == ARMTOL_NO_MEMORY ? out_of_memory(work)
-                                      : refuse(work, status, ARMTOL_ABOUT_QUESTION, 0,
-                                               status == ARMTOL_OUT_OF_REACH
-                                                   ? ARMTOL_REGION_EMPTY : ARMTOL_REGION_NOT_FOUND);
+    const bool empty = status == ARMTOL_OUT_OF_REACH, short_of_memory = status == ARMTOL_NO_MEMORY;
+    return short_of_memory ? out_of_memory(work) : refuse(work, status, ARMTOL_ABOUT_QUESTION, 0,
+                                                          empty ? ARMTOL_REGION_EMPTY : ARMTOL_REGION_NOT_FOUND);
 }
 
 /* From all of the ranges, symmetry apart. */
