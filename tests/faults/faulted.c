@@ -55,7 +55,7 @@ static void become_program(const faulted_setup *setup, int input, int commands, 
     const bool ready = dup2(input, STDIN_FILENO) >= 0 && dup2(server.output, STDOUT_FILENO) >= 0 &&
                        dup2(server.errors, STDERR_FILENO) >= 0 && dup2(commands, FAULT_COMMANDS) >= 0 &&
                        dup2(replies, FAULT_REPLIES) >= 0 && chdir(setup->folder) == 0 &&
-                       setenv("LD_PRELOAD", TEST_FAULTY, 1) == 0 && /* a path may have blanks, at which this list is cut */
+                       setenv("LD_PRELOAD", TEST_FAULTY, 1) == 0 && /* no path: it would be cut at blanks */
                        setenv("LD_LIBRARY_PATH", TEST_FAULTY_FOLDER, 1) == 0;
     for (int i = STDERR_FILENO + 1; i < FAULT_COMMANDS; i++) {
         close(i); /* what the test has from its parent: limits on descriptors count these too */
