@@ -5,11 +5,13 @@ file(REMOVE_RECURSE ${BINARY})
 # make started by make is not to take the other's options
 set(make ${CMAKE_COMMAND} -E env --unset=MAKEFLAGS --unset=MFLAGS --unset=MAKELEVEL ${MAKE})
 set(name armtol-${VERSION})
-run(${make} -C ${SOURCE} dist BUILD=${BINARY}/one)
+# from the sources on: a make variable may not have the blanks that a path may have
+file(RELATIVE_PATH build ${SOURCE} ${BINARY})
+run(${make} -C ${SOURCE} dist BUILD=${build}/one)
 set(ENV{TZ} Asia/Tokyo)
 # gzip would write down when it was called, in seconds
 run(${CMAKE_COMMAND} -E sleep 1.1)
-run(${make} -C ${SOURCE} dist BUILD=${BINARY}/other)
+run(${make} -C ${SOURCE} dist BUILD=${build}/other)
 run(${CMAKE_COMMAND} -E compare_files ${BINARY}/one/${name}.tar.gz ${BINARY}/other/${name}.tar.gz)
 
 run(${CMAKE_COMMAND} -E tar xzf ${BINARY}/one/${name}.tar.gz WORKING_DIRECTORY ${BINARY})

@@ -15,7 +15,8 @@ get_filename_component(faulty_name "${FAULTY}" NAME)
 # run(STATUS ALLOCATION PROGRAM ARGUMENT...): the routines of the shared object are not to be valgrind's.
 function(run expected allocation program)
   execute_process(
-    COMMAND ${CMAKE_COMMAND} -E env LD_PRELOAD=${faulty_name} LD_LIBRARY_PATH=${faulty_folder} FAULT_PROGRAM=${program} FAULT_ALLOCATION=${allocation}
+    COMMAND ${CMAKE_COMMAND} -E env LD_PRELOAD=${faulty_name} LD_LIBRARY_PATH=${faulty_folder}
+      FAULT_PROGRAM=${program} FAULT_ALLOCATION=${allocation}
       ${VALGRIND} --quiet --error-exitcode=99 --leak-check=full --soname-synonyms=somalloc=nouserintercepts
       ${program} ${ARGN}
     INPUT_FILE "${INPUT}" WORKING_DIRECTORY "${SCRATCH}" RESULT_VARIABLE status OUTPUT_QUIET ERROR_VARIABLE said)
