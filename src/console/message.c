@@ -66,6 +66,7 @@ static void say(const char *before, bool lines, const char *format, va_list argu
         taker(text);
         return;
     }
+    fflush(stdout); /* both may go to one file: in the order of the program, not of a buffer */
     fprintf(stderr, "%s%s%s\n", line_open ? "\n" : "", before, text);
     line_open = false;
 }
