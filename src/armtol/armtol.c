@@ -66,22 +66,6 @@ static bool print(const findings *findings)
     }
 }
 
-/* The picture of the budget takes the place of the answer where it goes to standard output. */
-static bool is_on_standard_output(const cli_options *options)
-{
-    return options->svg != NULL && strcmp(options->svg, "-") == 0;
-}
-
-static bool draw_budget(const findings *findings)
-{
-    const cli_options *options = findings->request->options;
-    if (is_on_standard_output(options)) {
-        budget_write_svg(stdout, findings);
-        return true;
-    }
-    return options->svg == NULL || outfile_write(options->svg, budget_write_svg, findings);
-}
-
 /* merged, region: NULL where there are none. */
 static int tell(const request *request, const armtol_answer *answer, const merged *merged,
                 const armtol_region_answer *region)
@@ -101,7 +85,9 @@ static int tell(const request *request, const armtol_answer *answer, const merge
         return EXIT_FAILED;
     }
     findings.budget = budget;
-    const bool fine = draw_budget(&findings) && (is_on_standard_output(request->options) || print(&findings));
+    const char *svg = request->options->svg; /* on standard output it takes the place of the answer */
+    const bool fine = (svg == NULL || outfile_write(svg, budget_write_svg, &findings)) &&
+                      (outfile_is_standard(svg) || print(&findings));
     armtol_budget_destroy(budget);
     return fine ? EXIT_OK : EXIT_FAILED;
 }

@@ -222,9 +222,18 @@ bool outfile_write_at(const outfile_place *place, void (*write)(FILE *stream, co
     return outfiles_write(&place->folder, &file, 1, data);
 }
 
+bool outfile_is_standard(const char *path)
+{
+    return path != NULL && strcmp(path, "-") == 0;
+}
+
 bool outfile_write(const char *path, void (*write)(FILE *stream, const void *data), const void *data)
 {
     outfile_place place;
+    if (outfile_is_standard(path)) {
+        write(stdout, data);
+        return true;
+    }
     if (!outfile_open(&place, path)) {
         return false;
     }

@@ -47,7 +47,10 @@ void outfile_close(outfile_place *place);
 /* The file, written from the data. False after a message. */
 bool outfile_write_at(const outfile_place *place, void (*write)(FILE *stream, const void *data), const void *data);
 
-/* All three at once. */
+/* Whether a path is "-", which stands for standard output; NULL is none. */
+bool outfile_is_standard(const char *path);
+
+/* All three at once; or on standard output, where that can fail at its end. */
 bool outfile_write(const char *path, void (*write)(FILE *stream, const void *data), const void *data);
 
 #endif

@@ -5,30 +5,15 @@
 #include "console/message.h"
 #include "files/outfile.h"
 
-#include <string.h>
-
-/* "-" is standard output. */
-static bool is_standard(const char *path)
-{
-    return path != NULL && strcmp(path, "-") == 0;
-}
-
 static bool write_one(const char *path, void (*write)(FILE *stream, const void *data), const map_findings *findings)
 {
-    if (path == NULL) {
-        return true;
-    }
-    if (is_standard(path)) {
-        write(stdout, findings);
-        return true;
-    }
-    return outfile_write(path, write, findings);
+    return path == NULL || outfile_write(path, write, findings);
 }
 
 static int tell(const map_findings *findings)
 {
     const cli_options *options = findings->plan->request->options;
-    const bool standard = is_standard(options->svg) || is_standard(options->map.tsv);
+    const bool standard = outfile_is_standard(options->svg) || outfile_is_standard(options->map.tsv);
     if (!write_one(options->svg, map_write_svg, findings) || !write_one(options->map.tsv, map_write_tsv, findings)) {
         return EXIT_FAILED;
     }
@@ -58,7 +43,8 @@ static int draw_and_tell(const map_plan *plan, const map_found *found)
 
 static bool is_one_output(const cli_options *options)
 {
-    const int n = is_standard(options->svg) + is_standard(options->map.tsv) + (options->format == OUTPUT_JSON);
+    const int n = outfile_is_standard(options->svg) + outfile_is_standard(options->map.tsv) +
+                  (options->format == OUTPUT_JSON);
     if (n > 1) {
         message("--svg -, --tsv - and --json exclude each other: there is one standard output");
     }
