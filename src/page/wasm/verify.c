@@ -43,11 +43,7 @@ int page_verify_begin(int argc, char *argv[])
     }
     const armtol_fault fault = verification_check(asked.answer);
     if (fault.status != ARMTOL_OK) {
-        message("--verify: the tolerances leave %s without a bound; expected finite ones for all that it depends on",
-                fault.about == ARMTOL_ABOUT_NORM
-                    ? armtol_norm_name(asked.answer->norms[fault.number].components)
-                    : armtol_component_name(fault.number));
-        return EXIT_WRONG;
+        return request_failed(&asked.request, &fault);
     }
     asked.counted = malloc(sizeof *asked.counted);
     asked.part = malloc(sizeof *asked.part);

@@ -6,6 +6,7 @@
 #include "armtol/budget.h"
 #include "armtol/tool_error.h"
 #include "armtol/verification.h"
+#include "lib/engine/answers.h"
 #include "lib/engine/one_link.h"
 
 #include "support/check.h"
@@ -25,25 +26,6 @@ void setUp(void)
 
 void tearDown(void)
 {
-}
-
-static armtol_answer *answer_of(const armtol_question *question)
-{
-    armtol_answer *answer;
-    armtol_fault fault;
-    armtol_answer_create(question, &answer, &fault);
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, fault.status);
-    return answer;
-}
-
-static void check_refused(const armtol_question *question, armtol_status status, armtol_subject about, size_t number)
-{
-    armtol_answer *answer;
-    armtol_fault fault;
-    TEST_ASSERT_EQUAL_INT(status, armtol_answer_create(question, &answer, &fault));
-    TEST_ASSERT_EQUAL_INT(about, fault.about);
-    TEST_ASSERT_EQUAL_INT(number, fault.number);
-    TEST_ASSERT_NULL(answer);
 }
 
 /* Gravity to -y turns the link, which lies along x, to -y. */

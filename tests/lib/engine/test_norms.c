@@ -7,6 +7,7 @@
 #include "armtol/sampler.h"
 #include "armtol/tool_error.h"
 #include "armtol/verification.h"
+#include "lib/engine/answers.h"
 #include "lib/engine/one_link.h"
 
 #include "support/check.h"
@@ -30,25 +31,6 @@ void setUp(void)
 
 void tearDown(void)
 {
-}
-
-static armtol_answer *answer_of(const armtol_question *question)
-{
-    armtol_answer *answer;
-    armtol_fault fault;
-    armtol_answer_create(question, &answer, &fault);
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, fault.status);
-    return answer;
-}
-
-static void check_refused(const armtol_question *question, armtol_status status, armtol_subject about, size_t number)
-{
-    armtol_answer *answer;
-    armtol_fault fault;
-    TEST_ASSERT_EQUAL_INT(status, armtol_answer_create(question, &answer, &fault));
-    TEST_ASSERT_EQUAL_INT(about, fault.about);
-    TEST_ASSERT_EQUAL_INT(number, fault.number);
-    TEST_ASSERT_NULL(answer);
 }
 
 /* ---- one link: theta moves the tool by 400 along y, a along x, and nothing else moves it ---- */

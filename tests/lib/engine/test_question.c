@@ -2,6 +2,7 @@
 
 #include "armtol/answer.h"
 #include "armtol/sphere.h"
+#include "lib/engine/answers.h"
 #include "lib/engine/one_link.h"
 #include "support/check.h"
 
@@ -27,16 +28,6 @@ static void ask_for_tolerances(one_link *one)
     one_link_make(one, 0);
     one->question.tolerances = NULL;
     one->question.accuracy = accuracy;
-}
-
-static armtol_answer *answer_of(const armtol_question *question)
-{
-    armtol_answer *answer;
-    armtol_fault fault = {ARMTOL_NO_MEMORY, ARMTOL_ABOUT_POSE, 9};
-    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_answer_create(question, &answer, &fault));
-    TEST_ASSERT_TRUE(fault.status == ARMTOL_OK && fault.about == ARMTOL_ABOUT_NOTHING && fault.number == 0);
-    TEST_ASSERT_NOT_NULL(answer);
-    return answer;
 }
 
 /* ---- closed forms ---- */
@@ -172,21 +163,6 @@ static void test_an_arm_without_joints_needs_no_joint_values(void)
 }
 
 /* ---- what is refused ---- */
-
-static void check_refused(const armtol_question *question, armtol_status status, armtol_subject about, size_t number)
-{
-    char what[80];
-    armtol_answer *answer;
-    armtol_fault fault;
-    const armtol_status found = armtol_answer_create(question, &answer, &fault);
-    snprintf(what, sizeof what, "expected %d about %d (%zu), found %d about %d (%zu)", status, about, number, found,
-             fault.about, fault.number);
-    TEST_ASSERT_TRUE_MESSAGE(
-        found == status && fault.status == status && fault.about == about && fault.number == number, what);
-    TEST_ASSERT_NULL(answer);
-    TEST_ASSERT_EQUAL_INT(status, armtol_answer_create(question, &answer, NULL));
-    TEST_ASSERT_NULL(answer);
-}
 
 static void test_a_question_that_lacks_something(void)
 {
