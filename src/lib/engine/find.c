@@ -220,7 +220,7 @@ static void pack_components(rows *rows, const armtol_answer *answer, tightest *t
 }
 
 /* What is given may use up no norm, and then something is left in every direction. */
-static void pack_norms(rows *rows, const armtol_answer *answer, tightest *tightest)
+static void note_norms(const rows *rows, const armtol_answer *answer, tightest *tightest)
 {
     for (size_t i = 0; i < answer->n_norms * answer->n_poses; i++) {
         const size_t norm = i % answer->n_norms, pose = i / answer->n_norms;
@@ -233,13 +233,18 @@ static void pack_norms(rows *rows, const armtol_answer *answer, tightest *tighte
                       ARMTOL_ABOUT_NORM_PLACE, i);
         }
     }
+}
+
+static void pack_cuts(rows *rows, const armtol_answer *answer)
+{
     for (size_t row = rows->n_components; row < rows->n_rows; row++) {
         const double limit = answer->norms[rows->cuts.cuts[row - rows->n_components].norm].limit;
         rows->limits[row] = is_asked(rows, row) ? left_of(rows, answer, row, limit) : (double)INFINITY;
     }
 }
 
-static armtol_fault pack(rows *rows, const armtol_answer *answer, const armtol_question *question)
+/* `first`: for the columns that are free now. What is given is the same until others are. */
+static armtol_fault pack(rows *rows, const armtol_answer *answer, const armtol_question *question, bool first)
 {
     tightest tightest = {.enough = true, .least = (double)INFINITY};
     rows->n_rows = rows->n_components + rows->cuts.count;
@@ -251,7 +256,10 @@ static armtol_fault pack(rows *rows, const armtol_answer *answer, const armtol_q
         pack_row(rows, answer, row);
     }
     pack_components(rows, answer, &tightest);
-    pack_norms(rows, answer, &tightest);
+    pack_cuts(rows, answer);
+    if (first) {
+        note_norms(rows, answer, &tightest);
+    }
     return fault_of(tightest.enough ? ARMTOL_OK : ARMTOL_NOTHING_LEFT, tightest.about, tightest.number);
 }
 
@@ -393,10 +401,10 @@ static bool note_held(armtol_answer *answer, const armtol_question *question, co
 }
 
 /* Of the columns that are free now the optimum, and what it exceeds of norms. */
-static armtol_fault optimise_once(const armtol_answer *answer, const armtol_question *question, rows *rows,
+static armtol_fault optimise_once(const armtol_answer *answer, const armtol_question *question, rows *rows, bool first,
                                   size_t *added)
 {
-    const armtol_fault fault = pack(rows, answer, question);
+    const armtol_fault fault = pack(rows, answer, question, first);
     if (fault.status != ARMTOL_OK) {
         return fault;
     }
@@ -415,7 +423,7 @@ static armtol_fault optimise(armtol_answer *answer, const armtol_question *quest
     const size_t most_rounds = 8 * answer->n_columns + 8; /* a few are enough: no arm is known that takes more than n */
     for (size_t round = 0, cutting = 0; round < most_rounds && cutting < MOST_CUTS;) {
         size_t added = 0;
-        const armtol_fault fault = optimise_once(answer, question, rows, &added);
+        const armtol_fault fault = optimise_once(answer, question, rows, cutting == 0, &added);
         if (fault.status != ARMTOL_OK) {
             return fault;
         }
@@ -482,7 +490,7 @@ static armtol_fault find_sphere(armtol_answer *answer, const armtol_question *qu
     if (has_range(answer, question)) {
         return fault_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_METHOD, 0);
     }
-    const armtol_fault fault = pack(rows, answer, question);
+    const armtol_fault fault = pack(rows, answer, question, true);
     if (fault.status != ARMTOL_OK || rows->n_free == 0) {
         return fault;
     }
