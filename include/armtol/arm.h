@@ -117,6 +117,12 @@ bool armtol_arm_is_driven(const armtol_arm *arm, size_t link);
 /* How many joints move by themselves. */
 size_t armtol_arm_joint_count(const armtol_arm *arm);
 
+/* How many of them come before a link: the place of its joint's value in q, if it is one of them. */
+size_t armtol_arm_joint_of(const armtol_arm *arm, size_t link);
+
+/* The link of the joint whose value is in that place of q; n_links where there are not so many. */
+size_t armtol_arm_link_of(const armtol_arm *arm, size_t joint);
+
 /*
  * The value of a link's joint, before its sign.
  *

@@ -37,6 +37,7 @@
 #define cuts_norm armtol_private_cuts_norm
 #define cuts_note armtol_private_cuts_note
 #define cuts_start armtol_private_cuts_start
+#define arm_motion armtol_private_arm_motion
 #define arc_cosine_of armtol_private_arc_cosine_of
 #define arc_sine_of armtol_private_arc_sine_of
 #define arm_adept_one armtol_private_arm_adept_one
@@ -68,6 +69,7 @@
 #define kernels_portable armtol_private_kernels_portable
 #define given_axes_of armtol_private_given_axes_of
 #define length_of armtol_private_length_of
+#define length_of_vector armtol_private_length_of_vector
 #define map_answers armtol_private_map_answers
 #define map_blocks armtol_private_map_blocks
 #define map_is_left_out armtol_private_map_is_left_out

@@ -30,13 +30,10 @@ static double size_of_end(double end)
 static const char *mover_text(const armtol_arm *arm, size_t link, char *text, size_t room)
 {
     link_text leader;
-    size_t joint = 0;
-    for (size_t i = 0; i < link; i++) {
-        joint += armtol_arm_is_driven(arm, i);
-    }
     if (armtol_arm_is_driven(arm, link)) {
         const char *name = link_name(arm, link);
-        snprintf(text, room, name != NULL ? "joint %zu (%s)" : "joint %zu", joint + 1, name);
+        snprintf(text, room, name != NULL ? "joint %zu (%s)" : "joint %zu", armtol_arm_joint_of(arm, link) + 1,
+                 name);
     } else {
         link_words(arm, arm->motions[link].follows, &leader);
         snprintf(text, room, "%s, which follows %s", link_words(arm, link, &(link_text){""}), leader.text);

@@ -230,13 +230,7 @@ double map_joint_shown(const map_plan *plan, const map_found *found, size_t poin
 {
     const armtol_arm *arm = &plan->request->arm;
     const size_t n = joints_of(plan);
-    size_t at = 0;
-    bool slides = false;
-    for (size_t i = 0; i < arm->n_links; i++) {
-        if (armtol_arm_is_driven(arm, i) && at++ == joint) {
-            slides = arm->links[i].joint == ARMTOL_PRISMATIC;
-        }
-    }
+    const bool slides = arm->links[armtol_arm_link_of(arm, joint)].joint == ARMTOL_PRISMATIC;
     return units_shown(&plan->request->units, slides, found->q[point * n + joint]);
 }
 

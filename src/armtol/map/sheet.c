@@ -24,16 +24,6 @@ static void add_station(sheet *sheet, const armtol_transform *frame, double alon
     sheet->stations[sheet->n_stations++] = (station){shown(sheet, x), shown(sheet, y), joint};
 }
 
-/* The tool point, and the offset to it. */
-static void add_tool(sheet *sheet, armtol_transform last)
-{
-    const double *offset = sheet->plan->request->question.tool.offset;
-    for (int i = 0; i < 3; i++) {
-        last.m[i][3] += last.m[i][0] * offset[0] + last.m[i][1] * offset[1] + last.m[i][2] * offset[2];
-    }
-    add_station(sheet, &last, 0, 0, ARMTOL_FIXED);
-}
-
 /* Each link is its d along the axis before it, then its a across to the next. */
 static void place_stations(sheet *sheet, const armtol_link links[], size_t n)
 {
@@ -41,10 +31,12 @@ static void place_stations(sheet *sheet, const armtol_link links[], size_t n)
     for (size_t i = 0; i < n; i++) {
         add_station(sheet, &frame, 0, 0, links[i].joint);
         add_station(sheet, &frame, 0, links[i].d, ARMTOL_FIXED);
-        frame = armtol_chain_transform(links, i + 1, &armtol_errata_none);
+        const armtol_transform step = armtol_link_transform(&links[i], &armtol_errata_none);
+        frame = armtol_transform_product(&frame, &step, &armtol_errata_none);
     }
     add_station(sheet, &frame, 0, 0, ARMTOL_FIXED);
-    add_tool(sheet, frame);
+    armtol_tool_frame(links, n, &sheet->plan->request->question.tool, &frame);
+    add_station(sheet, &frame, 0, 0, ARMTOL_FIXED);
 }
 
 /* A pose of the command line, from 0: whether it has the tool in the plane, to half a step, and where. */
@@ -53,16 +45,13 @@ static bool find_mark(const sheet *sheet, size_t pose, armtol_link links[], stat
     const map_plan *plan = sheet->plan;
     const armtol_arm *arm = &plan->request->arm;
     const size_t n = armtol_arm_joint_count(arm);
-    const double *offset = plan->request->question.tool.offset;
-    double point[3], half = 0;
+    armtol_transform frame;
+    double half = 0;
     if (armtol_arm_place(arm, plan->request->q + pose * n, n, links) != ARMTOL_OK) {
         return false;
     }
-    const armtol_transform last = armtol_chain_transform(links, arm->n_links, &armtol_errata_none);
-    for (int i = 0; i < 3; i++) {
-        point[i] = last.m[i][3] + last.m[i][0] * offset[0] + last.m[i][1] * offset[1] + last.m[i][2] * offset[2];
-    }
-    const double places[2] = {point[plan->right], point[plan->up]};
+    armtol_tool_frame(links, arm->n_links, &plan->request->question.tool, &frame);
+    const double places[2] = {frame.m[plan->right][3], frame.m[plan->up][3]};
     bool within = true;
     for (int d = 0; d < 2; d++) {
         const double step = (plan->last[d] - plan->first[d]) / (double)(plan->n[d] - 1);
@@ -70,7 +59,7 @@ static bool find_mark(const sheet *sheet, size_t pose, armtol_link links[], stat
         within = within && places[d] >= plan->first[d] - step / 2 && places[d] <= plan->last[d] + step / 2;
     }
     *mark = (station){shown(sheet, places[0]), shown(sheet, places[1]), ARMTOL_FIXED};
-    return within && fabs(point[plan->third] - plan->offset) <= half;
+    return within && fabs(frame.m[plan->third][3] - plan->offset) <= half;
 }
 
 static bool place_marks(sheet *sheet)

@@ -33,15 +33,6 @@ static const char *cut_out(const char *begin, const char *end, part *part)
     return part->text;
 }
 
-static size_t joint_of_link(const armtol_arm *arm, size_t link)
-{
-    size_t joint = 0;
-    for (size_t i = 0; i < link; i++) {
-        joint += armtol_arm_is_driven(arm, i);
-    }
-    return joint;
-}
-
 /* The names that there are, some of them where they are many. */
 static void say_unknown(const armtol_arm *arm, const char *name)
 {
@@ -73,7 +64,7 @@ static bool find_joint(const armtol_arm *arm, const char *name, const double q[]
         say_unknown(arm, name);
         return false;
     }
-    *joint = joint_of_link(arm, link);
+    *joint = armtol_arm_joint_of(arm, link);
     const char *fault = !armtol_arm_is_driven(arm, link) ? "has no value of its own"
                         : !isnan(q[*joint])              ? "is given twice"
                                                          : NULL;

@@ -68,8 +68,8 @@ static double stretched(const armtol_link links[], size_t n_links, size_t first,
 /* The link of the joint, and of the one before it; false where they do not both turn by themselves. */
 static bool links_of(const armtol_arm *arm, uint64_t joint, size_t *first, size_t *second)
 {
-    *first = region_link_of(arm, joint - 1);
-    *second = region_link_of(arm, joint);
+    *first = joint > 1 ? armtol_arm_link_of(arm, (size_t)joint - 2) : arm->n_links;
+    *second = armtol_arm_link_of(arm, (size_t)joint - 1);
     return *first < arm->n_links && *second < arm->n_links && arm->links[*first].joint == ARMTOL_REVOLUTE &&
            arm->links[*second].joint == ARMTOL_REVOLUTE;
 }

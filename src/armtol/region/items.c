@@ -93,18 +93,6 @@ static bool take_numbers(const reading *reading, char *text, size_t count, const
 
 /* ---- joints ---- */
 
-size_t region_link_of(const armtol_arm *arm, uint64_t joint)
-{
-    size_t i = 0;
-    for (uint64_t n = 0; i < arm->n_links; i++) {
-        n += armtol_arm_is_driven(arm, i);
-        if (n == joint && armtol_arm_is_driven(arm, i)) {
-            break;
-        }
-    }
-    return i;
-}
-
 static bool take_joint(const char *name, char *value, const armtol_arm *arm, const units *units, region_words *words)
 {
     uint64_t joint;
@@ -118,7 +106,7 @@ static bool take_joint(const char *name, char *value, const armtol_arm *arm, con
         message("--region: %s is given twice", name);
         return false;
     }
-    const reading reading = {name, units, arm->links[region_link_of(arm, joint)].joint == ARMTOL_PRISMATIC};
+    const reading reading = {name, units, arm->links[armtol_arm_link_of(arm, joint - 1)].joint == ARMTOL_PRISMATIC};
     words->named[joint - 1] = true;
     return take_range(&reading, value, false, &words->low[joint - 1], &words->high[joint - 1]);
 }

@@ -6,9 +6,6 @@
 /* Takes one item, NAME=VALUE, apart; the text is cut up. False after a message. */
 bool region_item_take(char *item, const armtol_arm *arm, const units *units, region_words *words);
 
-/* The link of a joint, counted from 1 as --joints does; n_links where there is none. */
-size_t region_link_of(const armtol_arm *arm, uint64_t joint);
-
 /* The half of a joint's range that "3+" or "3-" means: on that side of where the arm is stretched. False after a
    message. */
 bool region_elbow_take(const char *text, const armtol_arm *arm, region_words *words);

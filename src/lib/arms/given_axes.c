@@ -10,11 +10,6 @@ static double largest_of(const double values[3])
     return fmax(fabs(values[0]), fmax(fabs(values[1]), fabs(values[2])));
 }
 
-static double norm_of(const double v[3])
-{
-    return length_of(length_of(v[0], v[1]), v[2]);
-}
-
 /* Divided by its largest component first, so that no square over- or underflows. */
 static void set_unit(const double direction[3], double unit[3])
 {
@@ -44,7 +39,7 @@ static double approach(const armtol_axis *axis, double place[3])
         way[i] = nearest - place[i];
         place[i] = nearest;
     }
-    return norm_of(way);
+    return length_of_vector(way);
 }
 
 /* The place of an axis; returns the way from there to the tool. */
@@ -80,7 +75,7 @@ given_axes given_axes_of(const armtol_axis axes[], size_t n_axes, const armtol_t
     given_axes given = {.axes = axes, .n_axes = n_axes, .tool = tool};
     double first[3];
     given.reach = find_place(&given, 0, first);
-    given.base_reach = given.reach + norm_of(first);
+    given.base_reach = given.reach + length_of_vector(first);
     given.tiny = AXES_ROUNDING * size_of(&given);
     return given;
 }
@@ -89,7 +84,7 @@ given_axes given_axes_of(const armtol_axis axes[], size_t n_axes, const armtol_t
 
 static double distance_of(const double v[3], const double w[3])
 {
-    return norm_of((const double[]){v[0] - w[0], v[1] - w[1], v[2] - w[2]});
+    return length_of_vector((const double[]){v[0] - w[0], v[1] - w[1], v[2] - w[2]});
 }
 
 double axis_distance_from_place(const given_axes *given, size_t axis)

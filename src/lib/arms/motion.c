@@ -1,4 +1,4 @@
-#include "armtol/arm.h"
+#include "lib/arms/motion.h"
 
 #include "lib/report/finite.h"
 
@@ -7,13 +7,25 @@ static bool follows_itself(const armtol_arm *arm, size_t link)
     return arm->motions == NULL || arm->motions[link].follows == link;
 }
 
+armtol_motion arm_motion(const armtol_arm *arm, size_t link)
+{
+    armtol_motion motion = {.follows = link, .multiplier = 1, .sign = 1};
+    if (arm->motions != NULL && arm->links[link].joint != ARMTOL_FIXED) {
+        motion = arm->motions[link];
+    }
+    if (motion.follows == link) {
+        motion.multiplier = 1;
+        motion.offset = 0;
+    }
+    return motion;
+}
+
 bool armtol_arm_is_driven(const armtol_arm *arm, size_t link)
 {
     return arm->links[link].joint != ARMTOL_FIXED && follows_itself(arm, link);
 }
 
-/* The joints that move by themselves of the links before this one. */
-static size_t joints_before(const armtol_arm *arm, size_t link)
+size_t armtol_arm_joint_of(const armtol_arm *arm, size_t link)
 {
     size_t count = 0;
     for (size_t i = 0; i < link; i++) {
@@ -24,7 +36,16 @@ static size_t joints_before(const armtol_arm *arm, size_t link)
 
 size_t armtol_arm_joint_count(const armtol_arm *arm)
 {
-    return joints_before(arm, arm->n_links);
+    return armtol_arm_joint_of(arm, arm->n_links);
+}
+
+size_t armtol_arm_link_of(const armtol_arm *arm, size_t joint)
+{
+    size_t link = 0, before = 0;
+    while (link < arm->n_links && !(armtol_arm_is_driven(arm, link) && before == joint)) {
+        before += armtol_arm_is_driven(arm, link++);
+    }
+    return link;
 }
 
 /* *joint is the number of the next joint that moves by itself. */
@@ -37,12 +58,12 @@ static double value_of(const armtol_arm *arm, const double q[], size_t link, siz
         return q[(*joint)++];
     }
     const armtol_motion *motion = &arm->motions[link];
-    return motion->multiplier * q[joints_before(arm, motion->follows)] + motion->offset;
+    return motion->multiplier * q[armtol_arm_joint_of(arm, motion->follows)] + motion->offset;
 }
 
 double armtol_arm_joint_value(const armtol_arm *arm, const double q[], size_t link)
 {
-    size_t joint = joints_before(arm, link);
+    size_t joint = armtol_arm_joint_of(arm, link);
     return value_of(arm, q, link, &joint);
 }
 
@@ -72,8 +93,7 @@ armtol_status armtol_arm_check(const armtol_arm *arm)
 static armtol_status place_link(const armtol_arm *arm, const double q[], size_t link, size_t *joint,
                                 armtol_link *placed)
 {
-    const double sign = arm->motions != NULL ? arm->motions[link].sign : 1;
-    const double moved = sign * value_of(arm, q, link, joint);
+    const double moved = arm_motion(arm, link).sign * value_of(arm, q, link, joint);
     return armtol_links_place(&arm->links[link], 1, &moved, arm->links[link].joint != ARMTOL_FIXED, &armtol_errata_none,
                               placed);
 }

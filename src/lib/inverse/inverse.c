@@ -159,8 +159,8 @@ static armtol_branch branch_of(const armtol_inverse *inverse, const double q[], 
     return (armtol_branch){
         .q = q,
         .from_near = search_from_near(&inverse->chain, q),
-        .distance = inverse->chain.size * length_of(length_of(e[0], e[1]), e[2]),
-        .angle = inverse->search.goal.n_rows == 6 ? length_of(length_of(e[3], e[4]), e[5]) : 0,
+        .distance = inverse->chain.size * length_of_vector(e),
+        .angle = inverse->search.goal.n_rows == 6 ? length_of_vector(e + 3) : 0,
     };
 }
 
@@ -213,8 +213,7 @@ static bool add_branch(armtol_inverse *inverse, armtol_branches *branches, const
 /* Uniform in [0, 1), by the numbers of start and joint alone. */
 static double drawn(size_t start, size_t joint, size_t n_joints)
 {
-    const uint64_t state = SPLITMIX_STEP * (uint64_t)(start * n_joints + joint + 1);
-    return (double)(splitmix_mix(state) >> 11) * 0x1p-53;
+    return splitmix_uniform(SPLITMIX_STEP * (uint64_t)(start * n_joints + joint + 1));
 }
 
 /* Where a joint's value is looked for: its range, a turn, or as far as `span` about `near`. */
@@ -351,7 +350,7 @@ static bool can_be_measured(const armtol_inverse *inverse, const armtol_wish *wi
 static bool take_wish(armtol_inverse *inverse, const armtol_wish *wish)
 {
     const double(*tool)[4] = wish->tool.m;
-    const double away = length_of(length_of(tool[0][3], tool[1][3]), tool[2][3]) / inverse->chain.size;
+    const double away = length_of_vector((const double[]){tool[0][3], tool[1][3], tool[2][3]}) / inverse->chain.size;
     inverse->search.goal = (chain_goal){wish, wish->point_only ? 3 : 6, fmax(1, away)};
     return can_be_measured(inverse, wish);
 }

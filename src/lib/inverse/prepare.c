@@ -1,5 +1,6 @@
 #include "lib/inverse/prepare.h"
 
+#include "lib/arms/motion.h"
 #include "lib/pi.h"
 #include "lib/report/finite.h"
 #include "lib/report/trigonometry.h"
@@ -22,30 +23,25 @@ static chain_link prepared(const armtol_link *link)
     };
 }
 
-/* How a link's joint is moved by those that move by themselves; the numbers of these are known. */
-static void take_motion(chain *chain, const armtol_motion *motion, size_t i)
+/* How a link's joint is moved by those that move by themselves. */
+static void take_motion(chain_link *link, const armtol_arm *arm, size_t i)
 {
-    chain_link *link = &chain->links[i];
-    const bool itself = motion->follows == i;
-    link->driver = chain->links[motion->follows].driver;
-    link->factor = itself ? motion->sign : motion->sign * motion->multiplier;
-    link->offset = itself ? 0 : motion->sign * motion->offset;
+    const armtol_motion motion = arm_motion(arm, i);
+    link->driver = armtol_arm_joint_of(arm, motion.follows);
+    link->factor = motion.sign * motion.multiplier;
+    link->offset = motion.follows == i ? 0 : motion.sign * motion.offset;
 }
 
 static void take_links(chain *chain, const armtol_arm *arm)
 {
-    size_t joint = 0;
     for (size_t i = 0; i < arm->n_links; i++) {
         chain->links[i] = prepared(&arm->links[i]);
-        if (armtol_arm_is_driven(arm, i)) {
-            chain->joints[joint] = (chain_joint){.turns = true};
-            chain->links[i].driver = joint++;
+        if (arm->links[i].joint != ARMTOL_FIXED) {
+            take_motion(&chain->links[i], arm, i);
         }
     }
-    for (size_t i = 0; i < arm->n_links && arm->motions != NULL; i++) {
-        if (arm->links[i].joint != ARMTOL_FIXED) {
-            take_motion(chain, &arm->motions[i], i);
-        }
+    for (size_t j = 0; j < chain->n_joints; j++) {
+        chain->joints[j] = (chain_joint){.low = -(double)INFINITY, .high = (double)INFINITY, .turns = true};
     }
 }
 
@@ -58,7 +54,7 @@ static double travel_of(const armtol_drive *drive)
 
 static double size_of(const chain *chain, const armtol_arm *arm)
 {
-    double size = length_of(length_of(chain->offset[0], chain->offset[1]), chain->offset[2]);
+    double size = length_of_vector(chain->offset);
     for (size_t i = 0; i < arm->n_links; i++) {
         size += fabs(arm->links[i].a) + fabs(arm->links[i].d);
         size += arm->links[i].joint == ARMTOL_PRISMATIC ? travel_of(&arm->drives[i]) : 0;
@@ -82,14 +78,10 @@ static void take_joint(chain *chain, const armtol_arm *arm, size_t i)
 static void take_limits(chain *chain, const armtol_arm *arm, size_t i)
 {
     chain_joint *joint = &chain->joints[chain->links[i].driver];
-    double multiplier = 1, offset = 0;
-    if (!armtol_arm_is_driven(arm, i)) {
-        multiplier = arm->motions[i].multiplier;
-        offset = arm->motions[i].offset;
-    }
-    if (multiplier != 0) {
-        const double one = (arm->drives[i].low - offset) / multiplier;
-        const double other = (arm->drives[i].high - offset) / multiplier;
+    const armtol_motion motion = arm_motion(arm, i);
+    if (motion.multiplier != 0) {
+        const double one = (arm->drives[i].low - motion.offset) / motion.multiplier;
+        const double other = (arm->drives[i].high - motion.offset) / motion.multiplier;
         joint->low = fmax(joint->low, fmin(one, other));
         joint->high = fmin(joint->high, fmax(one, other));
     }
@@ -110,10 +102,6 @@ armtol_status prepare_chain(chain *chain, const armtol_inverse_setup *setup)
     chain->size = size_of(chain, arm);
     if (!all_finite(setup->offset, 3) || !isfinite(chain->size)) {
         return ARMTOL_NOT_FINITE;
-    }
-    for (size_t j = 0; j < chain->n_joints; j++) {
-        chain->joints[j].low = -(double)INFINITY;
-        chain->joints[j].high = (double)INFINITY;
     }
     for (size_t i = 0; i < arm->n_links; i++) {
         if (arm->links[i].joint != ARMTOL_FIXED) {

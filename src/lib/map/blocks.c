@@ -2,10 +2,12 @@
 
 #include "armtol/error_matrix.h"
 #include "armtol/poses.h"
+#include "lib/arms/motion.h"
 #include "lib/engine/check.h"
 #include "lib/map/values.h"
 #include "lib/report/finite.h"
 #include "lib/report/trigonometry.h"
+#include "lib/tool/negligible.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -14,9 +16,6 @@
 
 /* So many poses at a time that their matrices stay in a near cache. */
 enum { BLOCK = ARMTOL_POSE_BLOCK, AT_ONCE = 8 * BLOCK, ALIGNED = 64 };
-
-/* As of armtol_tool_matrix_clear: up to this part of what it can be, an element is what rounding left of a 0. */
-static const double negligible = 1e-12;
 
 typedef struct work {
     const armtol_question *question;
@@ -55,8 +54,7 @@ static void free_memory(work *work)
 static double fixed_reach(const armtol_question *question)
 {
     const armtol_arm *arm = question->arm;
-    const double *offset = question->tool.offset;
-    double reach = length_of(length_of(offset[0], offset[1]), offset[2]);
+    double reach = length_of_vector(question->tool.offset);
     for (size_t i = 0; i < arm->n_links; i++) {
         reach += arm->links[i].joint == ARMTOL_PRISMATIC ? 0 : length_of(arm->links[i].a, arm->links[i].d);
     }
@@ -111,8 +109,7 @@ static bool take_pose(const work *work, const double q[], size_t n_joints, doubl
         if (arm->links[i].joint == ARMTOL_FIXED) {
             continue;
         }
-        const double sign = arm->motions != NULL ? arm->motions[i].sign : 1;
-        const double value = out ? 0 : sign * armtol_arm_joint_value(arm, q, i);
+        const double value = out ? 0 : arm_motion(arm, i).sign * armtol_arm_joint_value(arm, q, i);
         values[joint++] = value;
         if (arm->links[i].joint == ARMTOL_PRISMATIC) {
             *reach += length_of(arm->links[i].a, arm->links[i].d + value);

@@ -1,7 +1,7 @@
 /* Joint values for the points of a plane. */
 
-#include "armtol/link_transform.h"
 #include "armtol/map.h"
+#include "armtol/tool_point.h"
 #include "lib/pi.h"
 
 #include <math.h>
@@ -72,12 +72,14 @@ static bool is_reached(const walk *walk, size_t point)
 static armtol_status find_tool(const walk *walk, const double q[], double tool[3])
 {
     const armtol_arm *arm = walk->setup->arm;
-    const double *offset = walk->setup->offset;
     const armtol_status status = armtol_arm_place(arm, q, walk->n_joints, walk->links);
     if (status == ARMTOL_OK) {
-        const armtol_transform last = armtol_chain_transform(walk->links, arm->n_links, &armtol_errata_none);
+        armtol_tool_point point = armtol_tool_origin;
+        armtol_transform frame;
+        memcpy(point.offset, walk->setup->offset, sizeof point.offset);
+        armtol_tool_frame(walk->links, arm->n_links, &point, &frame);
         for (int i = 0; i < 3; i++) {
-            tool[i] = last.m[i][3] + last.m[i][0] * offset[0] + last.m[i][1] * offset[1] + last.m[i][2] * offset[2];
+            tool[i] = frame.m[i][3];
         }
     }
     return status;

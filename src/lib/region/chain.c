@@ -1,6 +1,8 @@
 #include "lib/region/chain.h"
 
+#include "lib/arms/motion.h"
 #include "lib/report/trigonometry.h"
+#include "lib/tool/negligible.h"
 #include "lib/tool/pose_link.h"
 
 #include <float.h>
@@ -8,33 +10,18 @@
 #include <stdlib.h>
 
 static const double unit = DBL_EPSILON / 2;
-static const double negligible = 1e-12; /* of src/lib/tool/rounding.c */
 
 /* Rounded up. */
 #define HALF_TURN 3.1415926535897936
 #define TURN 6.283185307179587
 
-/* Where an arm has no motions, it drives all its joints. */
-static armtol_motion motion_of(const armtol_arm *arm, size_t link)
-{
-    return arm->motions != NULL ? arm->motions[link] : (armtol_motion){.follows = link, .multiplier = 1, .sign = 1};
-}
-
 static void take_motion(const armtol_arm *arm, size_t link, const size_t variables[], chain_link *made)
 {
-    const armtol_motion motion = motion_of(arm, link);
+    const armtol_motion motion = arm_motion(arm, link);
     made->leads = armtol_arm_is_driven(arm, link);
-    made->times = motion.sign;
-    made->variable = CHAIN_FIXED;
-    if (arm->links[link].joint == ARMTOL_FIXED) {
-        made->leads = false;
-    } else if (made->leads) {
-        made->variable = variables[link];
-    } else {
-        made->variable = variables[motion.follows];
-        made->plus = made->times * motion.offset;
-        made->times *= motion.multiplier;
-    }
+    made->times = motion.sign * motion.multiplier;
+    made->plus = motion.follows == link ? 0 : motion.sign * motion.offset;
+    made->variable = variables[motion.follows]; /* CHAIN_FIXED of a fixed link */
 }
 
 static chain_link link_of(const armtol_arm *arm, size_t link, const size_t variables[])
@@ -107,7 +94,7 @@ bool chain_make(chain *chain, const armtol_arm *arm, const armtol_tool_point *to
         chain->offset[i] = tool->offset[i];
     }
     chain->along_tool = tool->frame == ARMTOL_TOOL_FRAME;
-    chain->reach = length_of(length_of(tool->offset[0], tool->offset[1]), tool->offset[2]);
+    chain->reach = length_of_vector(tool->offset);
     const bool made = make_links(chain, arm);
     chain->reach = chain->reach > 0 ? chain->reach : 1; /* an arm without lengths only turns: any scale will do */
     return made;

@@ -66,11 +66,23 @@ bool pose_is_in_region(pose_search *search, const double variables[])
     return where_holds(search->region, point, tool, slack_of(search->chain));
 }
 
-/* What is missing, the tool's direction counted as a length by the reach. */
-static void miss_of(pose_search *search, const double variables[], double where[RESIDUALS], double miss[RESIDUALS])
+/* The tool, its direction counted as a length by the reach. */
+static void find(pose_search *search, const double variables[], double where[RESIDUALS])
+{
+    place(search, variables, where, where + 3);
+    for (int i = 3; i < RESIDUALS; i++) {
+        where[i] *= search->chain->reach;
+    }
+}
+
+/* Where it is, and what is missing to the region; whether that is nothing. */
+static bool miss_of(pose_search *search, const double variables[], double where[RESIDUALS], double miss[RESIDUALS])
 {
     double point[3], tool[3], to_point[3], to_tool[3];
     place(search, variables, point, tool);
+    if (where_holds(search->region, point, tool, slack_of(search->chain))) {
+        return true;
+    }
     where_nearest(search->region, point, tool, to_point, to_tool);
     for (int i = 0; i < 3; i++) {
         where[i] = point[i];
@@ -78,6 +90,7 @@ static void miss_of(pose_search *search, const double variables[], double where[
         miss[i] = to_point[i] - point[i];
         miss[i + 3] = search->chain->reach * (to_tool[i] - tool[i]);
     }
+    return false;
 }
 
 /* Differences are good enough for what is tested afterwards. */
@@ -85,24 +98,27 @@ static void differentiate(pose_search *search, const double variables[], const d
 {
     const chain *chain = search->chain;
     memcpy(search->moved, variables, chain->n_variables * sizeof *search->moved);
+    memset(search->jacobian, 0, RESIDUALS * chain->n_variables * sizeof *search->jacobian);
     for (size_t j = CHAIN_DIRECTIONS; j < chain->n_variables; j++) {
         const double step = 1e-6 * fmax(1, fabs(variables[j]));
-        double there[RESIDUALS], unused[RESIDUALS];
+        double there[RESIDUALS];
+        if (!(chain->low[j] < chain->high[j])) {
+            continue;
+        }
         search->moved[j] = variables[j] + step;
-        miss_of(search, search->moved, there, unused);
+        find(search, search->moved, there);
         search->moved[j] = variables[j];
         for (size_t i = 0; i < RESIDUALS; i++) {
-            const bool fixed = !(chain->low[j] < chain->high[j]);
-            search->jacobian[RESIDUALS * j + i] = fixed ? 0 : (there[i] - where[i]) / step;
+            search->jacobian[RESIDUALS * j + i] = (there[i] - where[i]) / step;
         }
     }
 }
 
 void pose_levers(pose_search *search, const double variables[], double levers[])
 {
-    double where[RESIDUALS], unused[RESIDUALS];
+    double where[RESIDUALS];
     const size_t counted = search->region->cone != NULL ? RESIDUALS : 3;
-    miss_of(search, variables, where, unused);
+    find(search, variables, where);
     differentiate(search, variables, where);
     for (size_t j = 0; j < search->chain->n_variables; j++) {
         double square = 0;
@@ -152,12 +168,14 @@ static double clipped(const chain *chain, size_t j, double value)
 bool pose_into_region(pose_search *search, double variables[])
 {
     const chain *chain = search->chain;
+    if (!where_asks(search->region)) {
+        return true;
+    }
     for (int step = 0; step < STEPS; step++) {
         double where[RESIDUALS], miss[RESIDUALS], y[RESIDUALS];
-        if (pose_is_in_region(search, variables)) {
+        if (miss_of(search, variables, where, miss)) {
             return true;
         }
-        miss_of(search, variables, where, miss);
         differentiate(search, variables, where);
         solve(search, miss, y);
         for (size_t j = CHAIN_DIRECTIONS; j < chain->n_variables; j++) {
@@ -175,7 +193,7 @@ bool pose_into_region(pose_search *search, double variables[])
 static double uniform(pose_search *search)
 {
     search->state += SPLITMIX_STEP;
-    return (double)(splitmix_mix(search->state) >> 11) * 0x1p-53;
+    return splitmix_uniform(search->state);
 }
 
 bool pose_draw(pose_search *search, double variables[])

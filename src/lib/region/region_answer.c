@@ -123,21 +123,31 @@ static bool is_asked(const work *work)
     return work->question->tolerances == NULL;
 }
 
-/* Rows first, and then those that are drawn, of which there is one at least. */
-static bool ask(work *work, const pose_list *rows, const double tolerances[], armtol_answer **answer)
+/* Rows first, and then those that are drawn, of which there is one at least; to be freed. NULL after a refusal. */
+static double *all_poses(work *work)
 {
-    const size_t n = work->n_joints, count = rows->count + work->drawn.count;
-    armtol_question question = *work->question;
-    double *q = calloc(count, (n + 1) * sizeof *q);
+    const size_t n = work->n_joints, rows = work->rows.count, drawn = work->drawn.count;
+    double *q = calloc(rows + drawn, (n + 1) * sizeof *q);
     if (q == NULL) {
-        return out_of_memory(work);
+        out_of_memory(work);
+        return NULL;
     }
-    if (rows->count > 0) {
-        memcpy(q, rows->q, rows->count * n * sizeof *q);
+    if (rows > 0) {
+        memcpy(q, work->rows.q, rows * n * sizeof *q);
     }
-    memcpy(q + rows->count * n, work->drawn.q, work->drawn.count * n * sizeof *q);
+    memcpy(q + rows * n, work->drawn.q, drawn * n * sizeof *q);
+    return q;
+}
+
+static bool ask(work *work, const double tolerances[], armtol_answer **answer)
+{
+    armtol_question question = *work->question;
+    double *q = all_poses(work);
+    if (q == NULL) {
+        return false;
+    }
     question.q = q;
-    question.n_poses = count;
+    question.n_poses = work->rows.count + work->drawn.count;
     question.accuracy = is_asked(work) && question.accuracy != NULL ? work->accuracy : question.accuracy;
     question.norms = is_asked(work) ? work->norms : question.norms;
     question.tolerances = tolerances;
@@ -276,7 +286,7 @@ static bool hold_all(work *work, pose_list *worst, bool *more)
 {
     *more = false;
     worst->count = 0;
-    bool fine = ask(work, &work->rows, work->question->tolerances, &work->answer);
+    bool fine = ask(work, work->question->tolerances, &work->answer);
     for (size_t i = 0; i < work->made->n_enclosures && fine; i++) {
         fine = hold_measure(work, i, worst, more);
     }
@@ -328,7 +338,7 @@ static bool tell_poses(work *work, const pose_list *worst)
             return false;
         }
     }
-    if (!ask(work, &work->rows, first->tolerances, &last)) {
+    if (!ask(work, first->tolerances, &last)) {
         return false;
     }
     copy_held(work, n_rows * n_loads, worst->count * n_loads, last);
@@ -341,18 +351,10 @@ static bool tell_poses(work *work, const pose_list *worst)
 
 static bool tell_joints(work *work)
 {
-    const size_t n = work->n_joints, rows = work->rows.count, drawn = work->drawn.count;
-    work->made->q = calloc(rows + drawn, (n + 1) * sizeof *work->made->q);
-    if (work->made->q == NULL) {
-        return out_of_memory(work);
-    }
-    if (rows > 0) {
-        memcpy(work->made->q, work->rows.q, rows * n * sizeof *work->made->q);
-    }
-    memcpy(work->made->q + rows * n, work->drawn.q, drawn * n * sizeof *work->made->q);
-    work->made->n_worst = rows;
-    work->made->n_poses = rows + drawn;
-    return true;
+    work->made->q = all_poses(work);
+    work->made->n_worst = work->rows.count;
+    work->made->n_poses = work->rows.count + work->drawn.count;
+    return work->made->q != NULL;
 }
 
 /*

@@ -9,14 +9,9 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-static double size_of(const double v[3])
-{
-    return length_of(length_of(v[0], v[1]), v[2]);
-}
-
 static void unit_of(const double v[3], double made[3])
 {
-    const double size = size_of(v);
+    const double size = length_of_vector(v);
     for (int i = 0; i < 3; i++) {
         made[i] = v[i] / size;
     }
@@ -36,11 +31,10 @@ bool where_asks(const armtol_region *region)
 
 /* ---- a pose ---- */
 
-/* How far along the ring's axis, and the way out from it, which is that long. */
-static double along_ring(const armtol_ring *ring, const double point[3], double out[3])
+/* How far along the ring's axis, of length 1, and the way out from it, which is that long. */
+static double along_ring(const armtol_ring *ring, const double axis[3], const double point[3], double out[3])
 {
-    double axis[3], from[3];
-    unit_of(ring->axis, axis);
+    double from[3];
     between(ring->point, point, from);
     const double along = dot(axis, from);
     for (int i = 0; i < 3; i++) {
@@ -69,8 +63,9 @@ static double nearest_of_path(const armtol_path *path, const double point[3], do
         const double *to = path->points + 3 * (i + 1 < path->n_points ? i + 1 : i);
         nearest_of_piece(path->points + 3 * i, to, point, found);
         between(found, point, away);
-        if (size_of(away) < least) {
-            least = size_of(away);
+        const double distance = length_of_vector(away);
+        if (distance < least) {
+            least = distance;
             for (int k = 0; k < 3; k++) {
                 nearest[k] = found[k];
             }
@@ -90,8 +85,9 @@ static bool in_block(const armtol_block *block, const double point[3], double sl
 
 static bool in_ring(const armtol_ring *ring, const double point[3], double slack)
 {
-    double out[3];
-    const double along = along_ring(ring, point, out), away = size_of(out);
+    double axis[3], out[3];
+    unit_of(ring->axis, axis);
+    const double along = along_ring(ring, axis, point, out), away = length_of_vector(out);
     return along >= ring->bottom - slack && along <= ring->top + slack && away >= ring->inner - slack &&
            away <= ring->outer + slack;
 }
@@ -105,7 +101,7 @@ static double angle_from(const armtol_cone *cone, const double tool[3])
     for (int i = 0; i < 3; i++) {
         across[i] = tool[i] - along * direction[i];
     }
-    return angle_of(&armtol_errata_none, size_of(across), along);
+    return angle_of(&armtol_errata_none, length_of_vector(across), along);
 }
 
 bool where_holds(const armtol_region *region, const double point[3], const double tool[3], double slack)
@@ -155,24 +151,25 @@ static bool outside_block(const armtol_block *block, const vectors *points, size
 }
 
 /* The distance from an axis is convex: no point of the hull is further than the furthest corner. */
-static double furthest_from_axis(const armtol_ring *ring, const vectors *points, size_t count)
+static double furthest_from_axis(const armtol_ring *ring, const double axis[3], const vectors *points, size_t count)
 {
     double furthest = 0;
     for (size_t i = 0; i < count; i++) {
         double out[3];
-        along_ring(ring, (const double[3]){points->x[i], points->y[i], points->z[i]}, out);
-        furthest = fmax(furthest, size_of(out));
+        along_ring(ring, axis, (const double[3]){points->x[i], points->y[i], points->z[i]}, out);
+        furthest = fmax(furthest, length_of_vector(out));
     }
     return furthest;
 }
 
 /* Beyond the plane that touches the outer cylinder on the side of the middle. */
-static bool beyond_ring(const armtol_ring *ring, const vectors *points, size_t count, double outward)
+static bool beyond_ring(const armtol_ring *ring, const double axis[3], const vectors *points, size_t count,
+                        double outward)
 {
     double middle[3], out[3], low, high;
     middle_of(points, count, middle);
-    along_ring(ring, middle, out);
-    if (!(size_of(out) > 0)) {
+    along_ring(ring, axis, middle, out);
+    if (!(length_of_vector(out) > 0)) {
         return false;
     }
     unit_of(out, out);
@@ -187,7 +184,8 @@ static bool outside_ring(const armtol_ring *ring, const vectors *points, size_t 
     range_along(points, count, axis, &low, &high);
     const double foot = dot(axis, ring->point);
     return low - foot - outward > ring->top || high - foot + outward < ring->bottom ||
-           furthest_from_axis(ring, points, count) + outward < ring->inner || beyond_ring(ring, points, count, outward);
+           furthest_from_axis(ring, axis, points, count) + outward < ring->inner ||
+           beyond_ring(ring, axis, points, count, outward);
 }
 
 /* The hull is in a ball about its middle. */
@@ -232,7 +230,7 @@ static void into_ring(const armtol_ring *ring, double point[3])
 {
     double axis[3], out[3];
     unit_of(ring->axis, axis);
-    const double along = along_ring(ring, point, out), away = size_of(out);
+    const double along = along_ring(ring, axis, point, out), away = length_of_vector(out);
     const double to = fmax(ring->bottom, fmin(ring->top, along)), wide = fmax(ring->inner, fmin(ring->outer, away));
     for (int i = 0; i < 3; i++) {
         point[i] += (to - along) * axis[i] + (away > 0 ? (wide / away - 1) * out[i] : 0);
@@ -260,7 +258,7 @@ static void into_cone(const armtol_cone *cone, double tool[3])
     for (int i = 0; i < 3; i++) {
         across[i] = tool[i] - dot(tool, direction) * direction[i];
     }
-    const double size = size_of(across);
+    const double size = length_of_vector(across);
     const double c = cosine_of(&armtol_errata_none, cone->angle), s = sine_of(&armtol_errata_none, cone->angle);
     for (int i = 0; i < 3; i++) {
         tool[i] = c * direction[i] + (size > 0 ? s * across[i] / size : 0);

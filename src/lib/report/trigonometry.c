@@ -85,3 +85,8 @@ double length_of(double x, double y)
     const double ratio = shorter / longer;
     return longer == 0 || isinf(longer) ? longer : longer * sqrt(1 + ratio * ratio);
 }
+
+double length_of_vector(const double v[3])
+{
+    return length_of(length_of(v[0], v[1]), v[2]);
+}

@@ -25,4 +25,7 @@ double arc_sine_of(const armtol_errata *errata, double sine);
 /* sqrt(x^2 + y^2) as hypot has it, no square of which over- or underflows, with the same bits everywhere. */
 double length_of(double x, double y);
 
+/* The same of three components. */
+double length_of_vector(const double v[3]);
+
 #endif

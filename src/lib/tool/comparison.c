@@ -12,31 +12,16 @@
 
 #include "armtol/link_transform.h"
 #include "armtol/transform.h"
+#include "lib/arms/motion.h"
 #include "lib/pi.h"
 #include "lib/tool/built.h"
 
 #include <float.h>
 #include <math.h>
 
-static const armtol_motion by_itself = {.multiplier = 1, .sign = 1};
-
-static armtol_motion motion_of(const armtol_arm *arm, size_t link)
-{
-    armtol_motion motion = by_itself;
-    motion.follows = link;
-    if (arm->motions != NULL && arm->links[link].joint != ARMTOL_FIXED) {
-        motion = arm->motions[link];
-    }
-    if (motion.follows == link) {
-        motion.multiplier = 1;
-        motion.offset = 0;
-    }
-    return motion;
-}
-
 static bool moves_alike(const armtol_arm *one, const armtol_arm *other, size_t link)
 {
-    const armtol_motion a = motion_of(one, link), b = motion_of(other, link);
+    const armtol_motion a = arm_motion(one, link), b = arm_motion(other, link);
     return one->links[link].joint == other->links[link].joint && a.follows == b.follows && a.sign == b.sign &&
            a.multiplier == b.multiplier && a.offset == b.offset;
 }

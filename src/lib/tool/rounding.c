@@ -2,17 +2,15 @@
 #include "armtol/error_matrix.h"
 #include "armtol/tool_matrix.h"
 #include "lib/report/trigonometry.h"
+#include "lib/tool/negligible.h"
 
 #include <float.h>
 #include <math.h>
 
-/* Of what an element of A can be in this arm: up to this part it is taken for what rounding left of a 0. */
-static const double negligible = 1e-12;
-
 /* The chain's length when it is stretched, and the tool's offset. */
 static double reach_of(const armtol_link links[], size_t n_links, const armtol_tool_point *tool)
 {
-    double reach = length_of(length_of(tool->offset[0], tool->offset[1]), tool->offset[2]);
+    double reach = length_of_vector(tool->offset);
     for (size_t i = 0; i < n_links; i++) {
         reach += length_of(links[i].a, links[i].d);
     }

@@ -20,4 +20,10 @@ static inline uint64_t splitmix_mix(uint64_t state)
     return SPLITMIX_LAST(second);
 }
 
+/* Of a state, uniform in [0, 1). */
+static inline double splitmix_uniform(uint64_t state)
+{
+    return (double)(splitmix_mix(state) >> 11) * 0x1p-53;
+}
+
 #endif

@@ -476,6 +476,26 @@ static void test_an_unknown_drive_has_an_unknown_error(void)
     check_same(0.001, armtol_drive_error(&known), "with its backlash told, and no more");
 }
 
+/* A fixed foot, a joint, one that follows it, and another joint: the places in q, there and back. */
+static void test_joints_and_links_are_numbered_apart(void)
+{
+    static const armtol_link links[4] = {{.joint = ARMTOL_FIXED},
+                                         {.joint = ARMTOL_REVOLUTE},
+                                         {.joint = ARMTOL_REVOLUTE},
+                                         {.joint = ARMTOL_PRISMATIC}};
+    static const armtol_motion motions[4] = {{.follows = 0},
+                                             {.follows = 1, .sign = 1},
+                                             {.follows = 1, .multiplier = 2, .sign = 1},
+                                             {.follows = 3, .sign = -1}};
+    const armtol_arm arm = {.n_links = 4, .links = links, .motions = motions};
+    TEST_ASSERT_EQUAL_UINT(2, armtol_arm_joint_count(&arm));
+    TEST_ASSERT_EQUAL_UINT(0, armtol_arm_joint_of(&arm, 1));
+    TEST_ASSERT_EQUAL_UINT(1, armtol_arm_joint_of(&arm, 3));
+    TEST_ASSERT_EQUAL_UINT(1, armtol_arm_link_of(&arm, 0));
+    TEST_ASSERT_EQUAL_UINT(3, armtol_arm_link_of(&arm, 1));
+    TEST_ASSERT_EQUAL_UINT(4, armtol_arm_link_of(&arm, 2));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -483,6 +503,7 @@ int main(void)
     RUN_TEST(test_there_are_no_others);
     RUN_TEST(test_every_arm_says_what_it_is);
     RUN_TEST(test_units_have_names);
+    RUN_TEST(test_joints_and_links_are_numbered_apart);
     RUN_TEST(test_every_arm_moves_about_its_axes);
     RUN_TEST(test_kinds_fit_the_axes);
     RUN_TEST(test_the_puma_is_where_the_toolbox_has_it);
