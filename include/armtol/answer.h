@@ -76,6 +76,8 @@ typedef struct armtol_answer {
                            as exact */
     double *shifts;     /* n_poses x n_columns: what the drives shift the parameters by, 0 but for motors */
     double *moments;    /* n_poses x n_links: N m about the joints, N along those that slide */
+    armtol_drive_arrival *arrivals; /* n_poses x n_links: the part of the half widths that is drawn at each arrival; 0
+                                       where a drive is not known, or apart */
     double *droops;     /* n_poses x 6: where that takes the tool, by the exact kinematics (tool_error.h) */
     double *remainders; /* n_poses x 6: what the exact error can differ from A's by */
     bool *given;        /* n_columns: a drive or the question gave the tolerance, with or without an accuracy */

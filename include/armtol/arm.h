@@ -32,12 +32,13 @@ typedef struct armtol_drive {
     double moment;     /* the largest moment that it bears, where the masses of the arm's links are not known */
     double resolution; /* the step of the encoder at the joint */
     double friction;   /* the moment that it takes to move the joint through its play */
+    double noise;      /* the standard deviation of where the joint comes to rest, arrival by arrival */
 } armtol_drive;
 
 /* A drive of which nothing is known: no limits, backlash nan; all else is 0. */
 extern const armtol_drive armtol_drive_unknown;
 
-/* Whether anything is known of how far it lets its joint be off: backlash, compliance or resolution. */
+/* Whether anything is known of how far it lets its joint be off: backlash, compliance, resolution or noise. */
 bool armtol_drive_is_known(const armtol_drive *drive);
 
 /*
@@ -72,12 +73,37 @@ typedef struct armtol_drive_offset {
  *    It lies on the side of the moment. Where the moment may be 0, or less than the friction, it may lie on either
  *    side. A backlash that is not known counts as 0.
  * 3) The encoder adds half a step to either side.
+ * 4) Noise is normal, and has no largest value: ARMTOL_NOISE_SIGMAS standard deviations of it count to either side. An
+ *    arrival is farther off than that 27 times in 10000.
  *
  * Reference:
- *    Hahn 1987, Eq. (4.20); note 3 is the term for sensors that stands below it.
+ *    Hahn 1987, Eq. (4.20); note 3 is the term for sensors that stands below it; noise is ours.
  */
 armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt,
                                               double compensated);
+
+enum { ARMTOL_NOISE_SIGMAS = 3 };
+
+/* What a drive is off by otherwise at each arrival, about a middle that does not change. */
+typedef struct armtol_drive_arrival {
+    double play;  /* to either side, evenly: half the play where nothing holds the joint at an end of it, else 0 */
+    double step;  /* to either side, evenly: half a step of the encoder */
+    double noise; /* the standard deviation of a normal distribution */
+} armtol_drive_arrival;
+
+/*
+ * The part of armtol_drive_offset_under's half width that is drawn anew at each arrival: play + step +
+ * ARMTOL_NOISE_SIGMAS noise. What else is in it stays, arrival after arrival: what compliance makes of a moment in
+ * doubt, and the half of a free play by which the middle of the play may be off, since nothing says where its zero was
+ * set.
+ *
+ * Given:
+ *    as of armtol_drive_offset_under
+ */
+armtol_drive_arrival armtol_drive_arrival_under(const armtol_drive *drive, double moment, double doubt);
+
+/* That part: play + step + ARMTOL_NOISE_SIGMAS noise. */
+double armtol_drive_arrival_half(const armtol_drive_arrival *arrival);
 
 /*
  * How the joint of a link moves when it is not simply moved by a motor of its own. The value of the joint is

@@ -50,6 +50,7 @@
 
 /* All of it at once: what armtol answers to a question, and how the answer is tried on arms drawn at random. */
 #include "armtol/answer.h"
+#include "armtol/arrivals.h"
 #include "armtol/budget.h"
 #include "armtol/map.h"
 #include "armtol/question.h"

@@ -37,14 +37,15 @@ static size_t threads_of(const cli_options *options)
     return options->threads != 0 ? (size_t)options->threads : processors > 0 ? (size_t)processors : 1;
 }
 
+static armtol_draw draw_of(const cli_options *options)
+{
+    return (armtol_draw){.samples = options->verify, .seed = options->seed, .n_threads = threads_of(options)};
+}
+
 /* The arms drawn here, or those that others drew. An exit code, after a message. */
 static int verify(const request *request, const armtol_answer *answer, const merged *merged, armtol_verification *found)
 {
-    const armtol_draw draw = {
-        .samples = request->options->verify,
-        .seed = request->options->seed,
-        .n_threads = threads_of(request->options),
-    };
+    const armtol_draw draw = draw_of(request->options);
     armtol_fault fault;
     if (merged != NULL && !merged_is_of(merged, answer)) {
         return EXIT_WRONG;
@@ -52,6 +53,18 @@ static int verify(const request *request, const armtol_answer *answer, const mer
     const armtol_status status = merged != NULL ? watched_tally_verify(answer, &draw, merged->tally, found, &fault)
                                                 : watched_verify(answer, &draw, found, &fault);
     return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
+}
+
+/* Arms that come back; NULL where that was not asked for. An exit code, after a message. */
+static int repeat(const request *request, const armtol_answer *answer, armtol_arrivals **arrivals)
+{
+    const armtol_draw draw = draw_of(request->options);
+    armtol_fault fault = {.status = ARMTOL_OK};
+    *arrivals = NULL;
+    if (request->options->cycles != 0) {
+        watched_arrivals(answer, &draw, (size_t)request->options->cycles, arrivals, &fault);
+    }
+    return fault.status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }
 
 static bool print(const findings *findings)
@@ -71,6 +84,7 @@ static int tell(const request *request, const armtol_answer *answer, const merge
                 const armtol_region_answer *region)
 {
     armtol_budget *budget = NULL;
+    armtol_arrivals *arrivals;
     armtol_verification found;
     findings findings = {.request = request, .answer = answer, .region = region};
     if (request->options->verify != 0) {
@@ -80,7 +94,13 @@ static int tell(const request *request, const armtol_answer *answer, const merge
         }
         findings.verification = &found;
     }
+    const int code = repeat(request, answer, &arrivals);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    findings.arrivals = arrivals;
     if (request->options->budget && armtol_budget_create(answer, &budget) != ARMTOL_OK) {
+        armtol_arrivals_destroy(arrivals);
         out_of_memory();
         return EXIT_FAILED;
     }
@@ -89,6 +109,7 @@ static int tell(const request *request, const armtol_answer *answer, const merge
     const bool fine = (svg == NULL || outfile_write(svg, budget_write_svg, &findings)) &&
                       (outfile_is_standard(svg) || print(&findings));
     armtol_budget_destroy(budget);
+    armtol_arrivals_destroy(arrivals);
     return fine ? EXIT_OK : EXIT_FAILED;
 }
 

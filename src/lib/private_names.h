@@ -1,4 +1,6 @@
 #ifndef ARMTOL_LIB_PRIVATE_NAMES_H
+#define draw_start_sampler armtol_private_draw_start_sampler
+#define normal_quantile armtol_private_normal_quantile
 #define ARMTOL_LIB_PRIVATE_NAMES_H
 
 /*
@@ -53,6 +55,9 @@
 #define axis_kind armtol_private_axis_kind
 #define axis_line_of armtol_private_axis_line_of
 #define axis_line_seen armtol_private_axis_line_seen
+#define arrival_cycles armtol_private_arrival_cycles
+#define arrival_sources_of armtol_private_arrival_sources_of
+#define arrival_sources_making armtol_private_arrival_sources_making
 #define built_chain armtol_private_built_chain
 #define built_error armtol_private_built_error
 #define built_link armtol_private_built_link

@@ -47,6 +47,17 @@ check_length(2 verification norms)
 check("r" verification norms 0 name)
 set(members_of_norms "${run_output}")
 
+run(${ARMTOL} puma560 --joints 0,45,-90,0,45,0 --degrees --tolerances lengths=1 --drives noise=.1 --verify 100 --iso9283
+  --json)
+check("30" iso9283 cycles)
+check("100" iso9283 drawn)
+check_length(4 iso9283 probabilities)
+check_length(1 iso9283 poses)
+check("1" iso9283 poses 0 load)
+check_length(4 iso9283 poses 0 ap quantiles)
+check_length(4 iso9283 all rp quantiles)
+set(members_of_norms "${members_of_norms}${run_output}")
+
 run(${ARMTOL} puma560 --joints 0,45,-90,0,45,0 --degrees --accuracy .5,.5,.5,.01,.01,.01 --json --method rss --sigma 2)
 check("rss" method)
 check("2" sigma)

@@ -141,14 +141,15 @@ static void test_drives(void)
 static void test_drives_and_masses(void)
 {
     arm_model model;
-    read_table("units: mm deg\njoint,a,alpha,d,theta,backlash,stiffness,bits,friction,mass,com_x,com_y,com_z\n"
-               "theta,1,0,0,0,0.5,2,13,7,3,-1,2,-3\nfixed,1,0,0,0,,,,,4\n",
+    read_table("units: mm deg\njoint,a,alpha,d,theta,backlash,stiffness,bits,friction,noise,mass,com_x,com_y,com_z\n"
+               "theta,1,0,0,0,0.5,2,13,7,0.5,3,-1,2,-3\nfixed,1,0,0,0,,,,,,4\n",
                &model);
     const armtol_drive *drive = &model.arm.drives[0];
     check_same(DEG_0_5, drive->backlash, "backlash");
     check_within(1e-17, DEG_0_5, drive->compliance, "half a degree a N m");
     check_within(1e-18, DEG_90 / 2048, drive->resolution, "2^13 steps a turn");
     check_same(7, drive->friction, "friction");
+    check_same(DEG_0_5, drive->noise, "noise");
     const armtol_mass *masses = model.arm.masses;
     TEST_ASSERT_TRUE(masses[0].mass == 3 && masses[1].mass == 4 && masses[1].center[0] == 0);
     TEST_ASSERT_TRUE(masses[0].center[0] == -1 && masses[0].center[1] == 2 && masses[0].center[2] == -3);
@@ -343,13 +344,13 @@ static void test_the_tables_of_the_documentation(void)
 #define EXPECTED_COLUMNS                                                                                               \
     "expected name, kind, joint, a, alpha, d, theta, beta, sign, couple, multiplier, offset, low, high, backlash, "    \
     "compliance or stiffness, moment, "                                                                                \
-    "resolution or bits, friction, mass, com_x, com_y or com_z"
+    "resolution or bits, friction, noise, mass, com_x, com_y or com_z"
 #define NEITHER                                                                                                        \
     " is neither a key (name, title, source, units, order) nor a column (name, kind, joint, a, alpha, d, theta, ...)"
 #define NO_TABLE                                                                                                       \
     "the file ends before a table of links; expected a row of names: joint, a, alpha, d, theta and, as needed, "       \
     "name, kind, beta, sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, "        \
-    "friction, mass, com_x, com_y, com_z"
+    "friction, noise, mass, com_x, com_y, com_z"
 #define SAVE_AS "save the table as UTF-8 (in a spreadsheet: CSV, UTF-8)"
 
 static void test_wrong_keys(void)
@@ -690,6 +691,7 @@ static armtol_drive draw_drive(random_source *random)
     }
     drive.resolution = draw_yes(random) ? fabs(draw_number(random)) : 0;
     drive.friction = draw_yes(random) ? fabs(draw_number(random)) : 0;
+    drive.noise = draw_yes(random) ? fabs(draw_number(random)) : 0;
     return drive;
 }
 

@@ -29,6 +29,8 @@ static void test_every_answer(void)
                      10);
     check_short_main(armtol_main, (const char *const[]){ASKED, "--json", "--budget", NULL}, 8);
     check_short_main(armtol_main, (const char *const[]){ASKED, "--csv", NULL}, 6);
+    check_short_main(armtol_main, (const char *const[]){ASKED, "--drives", "noise=1e-4", "--budget", "--verify", "10",
+                                                        "--iso9283", "3", "--threads", "1", NULL}, 20);
 }
 
 static void test_positions(void)

@@ -255,8 +255,8 @@ static void test_columns_of_the_link_before_ask_for_the_order(void)
         "units: mm rad\njoint,a,alpha_i-1,d,theta\ntheta,0,0,0,0\n");
     check_refused("3:7: unknown column \"d_{i-1}\"; expected name, kind, joint, a, alpha, d, theta, beta, sign, "
                   "couple, multiplier, "
-                  "offset, low, high, backlash, compliance or stiffness, moment, resolution or bits, friction, mass, "
-                  "com_x, com_y "
+                  "offset, low, high, backlash, compliance or stiffness, moment, resolution or bits, friction, noise, "
+                  "mass, com_x, com_y "
                   "or com_z",
                   "order: craig\nunits: mm rad\njoint,d_{i-1},alpha,a,theta\ntheta,0,0,0,0\n");
 }

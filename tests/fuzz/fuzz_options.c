@@ -75,6 +75,7 @@ static void check_question(const cli_options *options)
     REQUIRE((options->shard != 0) == (options->tally != NULL) && (options->shard != 0) == (options->n_shards != 0));
     REQUIRE(options->shard <= options->n_shards && options->n_shards <= MOST_SHARDS);
     REQUIRE(options->n_shards <= options->verify);
+    REQUIRE(options->cycles == 0 || (options->cycles >= 2 && options->verify != 0 && options->shard == 0));
 }
 
 static void check_map(const command_line *line, const cli_options *options)

@@ -33,12 +33,12 @@ static bool compares_arms(const cli_options *options)
 static const char *fault_of_comparison(const cli_options *options)
 {
     const bool wishes = options->accuracy != NULL || options->tolerances != NULL || options->given != NULL ||
-                        options->weights != NULL || options->budget || options->verify != 0;
+                        options->weights != NULL || options->budget || options->verify != 0 || options->cycles != 0;
     const contradiction list[] = {
         {options->region != NULL, "--against and --deviations are for poses; expected no --region"},
         {options->against != NULL && options->deviations != NULL, "--against and --deviations exclude each other"},
         {wishes, "--against and --deviations compare two arms; expected no --accuracy, --tolerances, --given, "
-                 "--weights, --budget or --verify beside them"},
+                 "--weights, --budget, --verify or --iso9283 beside them"},
         {options->format == OUTPUT_CSV, "--csv writes tolerances only; expected --json, or nothing"},
     };
     return FIRST_OF(list);
@@ -54,6 +54,20 @@ static const char *fault_of_shard(const cli_options *options)
         {options->n_shards > options->verify, "--shard: more shards than arms to draw"},
     };
     return FIRST_OF(list);
+}
+
+static const char *fault_of_arrivals(const cli_options *options)
+{
+    const contradiction list[] = {
+        {options->verify == 0, "--iso9283 is for arms that are drawn; expected --verify N with it"},
+        {options->verify > MOST_KEPT_ARMS,
+         "--iso9283 keeps the numbers of every arm; expected --verify N of 10000000 at the most"},
+        {options->shard != 0, "--iso9283 keeps the numbers of every arm, a tally does not; expected no --shard"},
+        {options->region != NULL, "--iso9283 is for poses that are listed; expected no --region"},
+        {options->wish_motors,
+         "--wish motors leaves the drives out, and --iso9283 is about them; expected one of the two"},
+    };
+    return options->cycles != 0 ? FIRST_OF(list) : NULL;
 }
 
 static const char *fault_of_poses(const cli_options *options)
@@ -98,8 +112,8 @@ static const char *fault_of_map(const cli_options *options)
         {options->map.range == NULL, "the range is missing; expected --range A0..A1,B0..B1"},
         {options->map.grid != NULL && options->map.step != NULL, "--grid and --step exclude each other"},
         {options->verify != 0 || options->seed_given || options->threads != 0 || options->budget ||
-             options->tool_pose || options->wish_motors,
-         "--verify, --seed, --threads, --budget, --tool-pose and --wish are not for a map"},
+             options->tool_pose || options->wish_motors || options->cycles != 0,
+         "--verify, --seed, --threads, --iso9283, --budget, --tool-pose and --wish are not for a map"},
         {compares_arms(options), "--against and --deviations are not for a map"},
         {options->format == OUTPUT_CSV, "a map has no --csv; expected --tsv FILE, --svg FILE or --json"},
     };
@@ -127,7 +141,8 @@ static const char *fault_of_question(const cli_options *options)
          "the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)"},
     };
     const char *rest = compares ? fault_of_comparison(options)
-                                : either(fault_of_wishes(options), fault_of_drawing(options));
+                                : either(fault_of_wishes(options),
+                                         either(fault_of_arrivals(options), fault_of_drawing(options)));
     return either(FIRST_OF(list), rest);
 }
 

@@ -127,8 +127,7 @@ static double value_of(const driven *driven, arm_column column, armtol_joint joi
     if (column == COLUMN_STIFFNESS) {
         return 1 / units_taken(driven->units, slides, 1 / value);
     }
-    const bool scaled = column == COLUMN_BACKLASH || column == COLUMN_COMPLIANCE || column == COLUMN_RESOLUTION;
-    return scaled ? units_taken(driven->units, slides, value) : value;
+    return arm_column_is_angle(column, ARMTOL_REVOLUTE) ? units_taken(driven->units, slides, value) : value;
 }
 
 static bool check_value(const named_item *item, arm_column column, double value)
@@ -157,9 +156,8 @@ static bool take_drive(const named_item *item, void *context)
     double value;
     bool any = false;
     if (column > COLUMN_BITS) {
-        message("--drives: unknown name %s; expected backlash, compliance, moment, resolution, friction, stiffness or "
-                "bits, "
-                "or one of these of a link, as in 3.backlash",
+        message("--drives: unknown name %s; expected backlash, compliance, moment, resolution, friction, noise, "
+                "stiffness or bits, or one of these of a link, as in 3.backlash",
                 message_quote(item->whole, &(quoted){""}));
         return false;
     }

@@ -75,7 +75,7 @@ void cli_help(void)
          "                              --weights; 0 is exact\n"
          "      --drives LIST           what is known of joints, as in a table:\n"
          "                              backlash=0.01, 3.compliance=1e-5 (stiffness,\n"
-         "                              moment, resolution, bits, friction)\n"
+         "                              moment, resolution, bits, friction, noise)\n"
          "      --payload M[,X,Y,Z]     kg held at the tool point, or so far from it;\n"
          "                              given again: another load case\n"
          "      --gravity X,Y,Z         m/s^2 along the base's axes (default:\n"
@@ -97,6 +97,8 @@ void cli_help(void)
          "      --verify N              draw N arms within the tolerances, search for the\n"
          "                              worst\n"
          "      --seed S, --threads T   which arms (default: 1987), on how many processors\n"
+         "      --iso9283 [CYCLES]      let each come to each pose so many times (default:\n"
+         "                              30): its pose accuracy AP and repeatability RP\n"
          "      --shard I/N             draw shard I of N of them alone, anywhere, and\n"
          "      --tally FILE            count them in FILE; armtol merge FILE... prints\n"
          "                              what one process prints, from the tallies of all N\n");

@@ -1,5 +1,6 @@
 #include "armtol/ask/options.h"
 
+#include "armtol/arrivals.h"
 #include "armtol/ask/number_list.h"
 #include "armtol/axes.h"
 #include "console/exit_code.h"
@@ -14,6 +15,7 @@ enum { MOST_THREADS = 1024 };
 #define DEFAULT_GAP 0.01
 #define DEFAULT_BOXES 1000000
 #define MOST_BOXES 1000000000u
+#define MOST_CYCLES 1000000u
 #define DEFAULT_SIGMA 3.0
 #define DEFAULT_SEED 1987
 
@@ -42,6 +44,7 @@ struct option_row {
     const char *beyond;
     bool percent;          /* the number is */
     bool many;             /* it may be repeated */
+    bool optional;         /* the argument may be missing, or be a number and the next word */
 };
 
 static bool take_text(const typed_option *typed)
@@ -182,6 +185,12 @@ static bool add(const char *text, const char *texts[], size_t *n, size_t most, c
     return true;
 }
 
+static bool take_cycles(const typed_option *typed)
+{
+    typed->options->cycles = ARMTOL_ARRIVAL_CYCLES;
+    return typed->argument == NULL || take_whole(typed);
+}
+
 static bool take_payload(const typed_option *typed)
 {
     cli_options *const options = typed->options;
@@ -262,6 +271,7 @@ static const option_row rows[] = {
     {"--svg", take_text, AT(svg)},
     {"--verify", take_whole, AT(verify), .least = 1, .most = MOST_ARMS},
     {"--seed", take_whole, AT(seed), .given = AT(seed_given), .most = UINT64_MAX},
+    {"--iso9283", take_cycles, AT(cycles), .least = 2, .most = MOST_CYCLES, .optional = true},
     {"--threads", take_whole, AT(threads), .least = 1, .most = MOST_THREADS},
     {"--shard", take_shard},
     {"--tally", take_text, AT(tally)},
@@ -285,6 +295,7 @@ enum { ROWS = sizeof rows / sizeof rows[0], FIRST_LONG = 256 /* getopt's number 
 typedef struct reading {
     cli_options *options;
     bool seen[ROWS];
+    const option_row *waits; /* the last option, where its argument may be the next word */
 } reading;
 
 /* Of an option with an argument only one can hold, but for one a load case, or a pose. */
@@ -310,13 +321,20 @@ static bool take(int option, const char *argument, void *context)
         bool *given = (void *)(options + row->given);
         *given = true;
     }
+    reading->waits = row->optional && argument == NULL ? row : NULL;
     return is_first(row, &reading->seen[i]) &&
            row->take(&(typed_option){row, argument, reading->options, options + row->place});
 }
 
-/* Behind --xacro, a NAME:=VALUE is for xacro. */
-static bool take_word(const char *argument, cli_options *options)
+/* Behind an option that waits for it, a number is its argument; behind --xacro, a NAME:=VALUE is for xacro. */
+static bool take_word(const char *argument, reading *reading)
 {
+    cli_options *const options = reading->options;
+    const option_row *waits = reading->waits;
+    reading->waits = NULL;
+    if (waits != NULL && argument[strspn(argument, "0123456789")] == '\0') {
+        return waits->take(&(typed_option){waits, argument, options, (char *)options + waits->place});
+    }
     if (options->xacro && strstr(argument, ":=") != NULL) {
         return add(argument, options->xacro_arguments, &options->n_xacro_arguments, XACRO_ARGUMENTS_MOST, "--xacro",
                    "arguments");
@@ -335,7 +353,7 @@ static bool take_word(const char *argument, cli_options *options)
 static void list_names(struct option names[])
 {
     for (int i = 0; i < ROWS; i++) {
-        const int argument = rows[i].sets != 0 ? no_argument : required_argument;
+        const int argument = rows[i].sets != 0 ? no_argument : rows[i].optional ? optional_argument : required_argument;
         names[i] = (struct option){rows[i].name + 2, argument, NULL, FIRST_LONG + i};
     }
 }
@@ -353,7 +371,7 @@ static bool read_all(int argc, char *argv[], cli_options *options)
         if (optind >= argc) {
             return true;
         }
-        if (!take_word(argv[optind], options)) {
+        if (!take_word(argv[optind], &reading)) {
             return false;
         }
         argc -= optind;

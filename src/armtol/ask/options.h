@@ -12,6 +12,7 @@ enum { MOST_PAYLOADS = 64, MOST_AT = 64 };
 
 #define MOST_ARMS 1000000000000u
 #define MOST_SHARDS 1000000u
+#define MOST_KEPT_ARMS 10000000u /* of which every number is kept, to be sorted */
 
 typedef enum cli_action {
     CLI_ANSWER,
@@ -85,6 +86,7 @@ typedef struct cli_options {
     uint64_t seed;
     bool seed_given;
     uint64_t threads; /* 0: as many as there are processors */
+    uint64_t cycles; /* arrivals of each arm drawn, 0 for none */
     uint64_t shard, n_shards; /* shard 1 to n_shards, 0 for all arms; with it: */
     const char *tally;        /* the file for its counts */
     output_format format;

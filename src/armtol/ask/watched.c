@@ -65,3 +65,13 @@ armtol_status watched_tally_verify(const armtol_answer *answer, const armtol_dra
     end(&watch);
     return status;
 }
+
+armtol_status watched_arrivals(const armtol_answer *answer, const armtol_draw *draw, size_t cycles,
+                               armtol_arrivals **arrivals, armtol_fault *fault)
+{
+    watch watch;
+    begin(&watch, draw);
+    const armtol_status status = armtol_arrivals_create(answer, &watch.draw, cycles, arrivals, fault);
+    end(&watch);
+    return status;
+}

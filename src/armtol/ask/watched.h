@@ -1,6 +1,7 @@
 #ifndef ARMTOL_ASK_WATCHED_H
 #define ARMTOL_ASK_WATCHED_H
 
+#include "armtol/arrivals.h"
 #include "armtol/tally.h"
 #include "armtol/verification.h"
 
@@ -17,5 +18,9 @@ armtol_status watched_tally_draw(const armtol_answer *answer, const armtol_draw 
                                  armtol_tally *tally, armtol_fault *fault);
 armtol_status watched_tally_verify(const armtol_answer *answer, const armtol_draw *draw, const armtol_tally *tally,
                                    armtol_verification *found, armtol_fault *fault);
+
+/* armtol_arrivals_create in the same way. */
+armtol_status watched_arrivals(const armtol_answer *answer, const armtol_draw *draw, size_t cycles,
+                               armtol_arrivals **arrivals, armtol_fault *fault);
 
 #endif

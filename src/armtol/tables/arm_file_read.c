@@ -18,7 +18,7 @@
 static const char expected_head[] =
     "expected a row of names: joint, a, alpha, d, theta and, as needed, name, kind, beta, "
     "sign, couple, multiplier, offset, low, high, backlash, compliance, moment, resolution, "
-    "friction, mass, com_x, com_y, com_z";
+    "friction, noise, mass, com_x, com_y, com_z";
 
 /* All that is at work while a file is read. */
 typedef struct arm_reader {

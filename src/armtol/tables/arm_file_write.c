@@ -38,6 +38,8 @@ static bool drive_is_known(const armtol_drive *drive, arm_column column)
         return drive->resolution != 0;
     case COLUMN_FRICTION:
         return drive->friction != 0;
+    case COLUMN_NOISE:
+        return drive->noise != 0;
     default:
         return false;
     }

@@ -12,7 +12,8 @@ static const char *const names[ARM_COLUMNS] = {
     [COLUMN_BETA] = "beta",   [COLUMN_SIGN] = "sign",             [COLUMN_COUPLE] = "couple",
     [COLUMN_MULTIPLIER] = "multiplier", [COLUMN_OFFSET] = "offset", [COLUMN_LOW] = "low", [COLUMN_HIGH] = "high",
     [COLUMN_BACKLASH] = "backlash", [COLUMN_COMPLIANCE] = "compliance", [COLUMN_MOMENT] = "moment",
-    [COLUMN_RESOLUTION] = "resolution", [COLUMN_FRICTION] = "friction", [COLUMN_STIFFNESS] = "stiffness",
+    [COLUMN_RESOLUTION] = "resolution", [COLUMN_FRICTION] = "friction", [COLUMN_NOISE] = "noise",
+    [COLUMN_STIFFNESS] = "stiffness",
     [COLUMN_BITS] = "bits",   [COLUMN_MASS] = "mass",             [COLUMN_COM_X] = "com_x",
     [COLUMN_COM_Y] = "com_y", [COLUMN_COM_Z] = "com_z",
 };
@@ -55,6 +56,7 @@ bool arm_column_is_angle(arm_column column, armtol_joint joint)
     case COLUMN_BACKLASH:
     case COLUMN_COMPLIANCE:
     case COLUMN_RESOLUTION:
+    case COLUMN_NOISE:
         return joint == ARMTOL_REVOLUTE;
     default:
         return false;
@@ -79,6 +81,7 @@ double *arm_column_number(arm_column column, arm_entry *entry)
         [COLUMN_MOMENT] = &entry->drive.moment,
         [COLUMN_RESOLUTION] = &entry->drive.resolution,
         [COLUMN_FRICTION] = &entry->drive.friction,
+        [COLUMN_NOISE] = &entry->drive.noise,
         [COLUMN_STIFFNESS] = &entry->stiffness,
         [COLUMN_BITS] = &entry->bits,
         [COLUMN_MASS] = &entry->mass.mass,
@@ -168,7 +171,7 @@ static void unknown_column(const cell_row *row, size_t index)
     } else {
         cells_message(row, index, "unknown column %s; expected name, kind, joint, a, alpha, d, theta, beta, sign, "
                                   "couple, multiplier, offset, low, high, backlash, compliance or stiffness, moment, "
-                                  "resolution or bits, friction, mass, com_x, com_y or com_z", text);
+                                  "resolution or bits, friction, noise, mass, com_x, com_y or com_z", text);
     }
 }
 

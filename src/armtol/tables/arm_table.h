@@ -28,6 +28,7 @@ typedef enum arm_column {
     COLUMN_MOMENT,
     COLUMN_RESOLUTION,
     COLUMN_FRICTION,
+    COLUMN_NOISE,
     COLUMN_STIFFNESS, /* compliance and resolution in other words; never written */
     COLUMN_BITS,
     COLUMN_MASS,

@@ -2,6 +2,7 @@
 #define ARMTOL_TELL_FINDINGS_H
 
 #include "armtol/answer.h"
+#include "armtol/arrivals.h"
 #include "armtol/ask/request.h"
 #include "armtol/budget.h"
 #include "armtol/region.h"
@@ -15,6 +16,7 @@ typedef struct findings {
     const armtol_answer *answer;
     const armtol_budget *budget;
     const armtol_verification *verification;
+    const armtol_arrivals *arrivals;
     const armtol_region_answer *region; /* whose answer it then is */
 } findings;
 

@@ -390,6 +390,9 @@ bool output_json(const findings *findings)
     if (findings->verification != NULL) {
         write_verification(&json, findings);
     }
+    if (findings->arrivals != NULL) {
+        json_arrivals(&json, findings);
+    }
     json_end(&json);
     return true;
 }

@@ -2,6 +2,7 @@
 #define ARMTOL_TELL_OUTPUT_H
 
 #include "armtol/tell/findings.h"
+#include "armtol/tell/json.h"
 
 #include <stdbool.h>
 
@@ -9,5 +10,8 @@
 bool output_text(const findings *findings);
 bool output_json(const findings *findings);
 bool output_csv(const findings *findings);
+
+/* The part of JSON about arms that come back. */
+void json_arrivals(json *json, const findings *findings);
 
 #endif

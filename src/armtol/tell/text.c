@@ -234,5 +234,6 @@ bool output_text(const findings *findings)
     return fine && text_parts(findings) && text_components(findings) &&
            (findings->region == NULL || text_region(findings)) && text_loads(findings) &&
            (findings->budget == NULL || text_budget(findings)) &&
-           (findings->verification == NULL || text_verification(findings));
+           (findings->verification == NULL || text_verification(findings)) &&
+           (findings->arrivals == NULL || text_arrivals(findings));
 }

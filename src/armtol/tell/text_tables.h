@@ -13,6 +13,7 @@ bool text_loads(const findings *findings);
 bool text_region(const findings *findings);
 bool text_budget(const findings *findings);
 bool text_verification(const findings *findings);
+bool text_arrivals(const findings *findings);
 
 /* Of norms the directions in which they are largest, and in which they hold. */
 void text_norms(const findings *findings);

@@ -29,19 +29,45 @@ double armtol_drive_error(const armtol_drive *drive)
 
 bool armtol_drive_is_known(const armtol_drive *drive)
 {
-    return !isnan(drive->backlash) || drive->compliance != 0 || drive->resolution != 0;
+    return !isnan(drive->backlash) || drive->compliance != 0 || drive->resolution != 0 || drive->noise != 0;
+}
+
+static double play_of(const armtol_drive *drive)
+{
+    return isnan(drive->backlash) ? 0 : drive->backlash;
+}
+
+/* Whether the moment holds the joint at one end of its play. */
+static bool is_held(const armtol_drive *drive, double moment, double doubt)
+{
+    const double least = fabs(moment) - doubt;
+    return least > 0 && least >= drive->friction;
 }
 
 armtol_drive_offset armtol_drive_offset_under(const armtol_drive *drive, double moment, double doubt,
                                               double compensated)
 {
-    const double play = isnan(drive->backlash) ? 0 : drive->backlash;
-    const double least = fabs(moment) - doubt;
-    const bool one_side = least > 0 && least >= drive->friction;
+    const double play = play_of(drive);
+    const bool held = is_held(drive, moment, doubt);
     return (armtol_drive_offset){
-        .shift = drive->compliance * moment * (1 - compensated) + (one_side ? copysign(play, moment) : 0),
-        .half = drive->compliance * doubt + (one_side ? 0 : play) + drive->resolution / 2,
+        .shift = drive->compliance * moment * (1 - compensated) + (held ? copysign(play, moment) : 0),
+        .half = drive->compliance * doubt + (held ? 0 : play) + drive->resolution / 2 +
+                ARMTOL_NOISE_SIGMAS * drive->noise,
     };
+}
+
+armtol_drive_arrival armtol_drive_arrival_under(const armtol_drive *drive, double moment, double doubt)
+{
+    return (armtol_drive_arrival){
+        .play = is_held(drive, moment, doubt) ? 0 : play_of(drive) / 2,
+        .step = drive->resolution / 2,
+        .noise = drive->noise,
+    };
+}
+
+double armtol_drive_arrival_half(const armtol_drive_arrival *arrival)
+{
+    return arrival->play + arrival->step + ARMTOL_NOISE_SIGMAS * arrival->noise;
 }
 
 size_t armtol_arm_count(void)

@@ -22,7 +22,7 @@ extern const armtol_arm arm_ur5e;
 #define DEGREES(angle) ((angle) * (PI / 180))
 
 /* A drive of which nothing is known but how far its joint goes, and one of which nothing is. */
-#define LIMITS(low, high) {low, high, NAN, 0, 0, 0, 0}
+#define LIMITS(low, high) {low, high, NAN, 0, 0, 0, 0, 0}
 #define UNKNOWN LIMITS(-INFINITY, INFINITY)
 
 #endif

@@ -65,14 +65,15 @@ static bool get_memory(armtol_answer *answer)
     answer->bounded = calloc(n_poses, n * sizeof *answer->bounded);
     answer->shifts = calloc(n_poses, n * sizeof *answer->shifts);
     answer->moments = calloc(n_poses, answer->n_links * sizeof *answer->moments);
+    answer->arrivals = calloc(n_poses, answer->n_links * sizeof *answer->arrivals);
     answer->droops = calloc(n_poses, 6 * sizeof *answer->droops);
     answer->remainders = calloc(n_poses, 6 * sizeof *answer->remainders);
     answer->given = calloc(n, sizeof *answer->given);
     answer->held = calloc(n, sizeof *answer->held);
     answer->parts = calloc(answer->n_links, sizeof *answer->parts);
     return answer->tolerances != NULL && answer->bounded != NULL && answer->shifts != NULL && answer->moments != NULL &&
-           answer->droops != NULL && answer->remainders != NULL && answer->given != NULL && answer->held != NULL &&
-           answer->parts != NULL;
+           answer->arrivals != NULL && answer->droops != NULL && answer->remainders != NULL &&
+           answer->given != NULL && answer->held != NULL && answer->parts != NULL;
 }
 
 /* What is said of a column counts in every pose, unless a drive has told it and it is no more than that. */
@@ -198,6 +199,7 @@ void armtol_answer_destroy(armtol_answer *answer)
         free(answer->bounded);
         free(answer->shifts);
         free(answer->moments);
+        free(answer->arrivals);
         free(answer->droops);
         free(answer->remainders);
         free(answer->given);

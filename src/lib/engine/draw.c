@@ -192,8 +192,8 @@ static void shift_links(const armtol_answer *answer, size_t pose, armtol_link sh
     }
 }
 
-static armtol_status start_sampler(const armtol_answer *answer, size_t pose, uint64_t seed, armtol_link shifted[],
-                                   armtol_sampled_link links[], armtol_sampler *sampler)
+armtol_status draw_start_sampler(const armtol_answer *answer, size_t pose, const double tolerances[], uint64_t seed,
+                                 armtol_link shifted[], armtol_sampled_link links[], armtol_sampler *sampler)
 {
     const armtol_link *meant = armtol_answer_links(answer, pose);
     if (answer->loaded) {
@@ -201,7 +201,7 @@ static armtol_status start_sampler(const armtol_answer *answer, size_t pose, uin
     }
     const armtol_status status =
         armtol_sampler_start(sampler, links, answer->loaded ? shifted : meant, answer->n_links,
-                             armtol_answer_bounded(answer, pose), answer->n_columns, &answer->tool, seed);
+                             tolerances, answer->n_columns, &answer->tool, seed);
     if (status == ARMTOL_OK && answer->loaded) {
         armtol_sampler_aim(sampler, meant);
     }
@@ -214,7 +214,8 @@ static armtol_status start_samplers(const armtol_answer *answer, uint64_t seed, 
     armtol_link *shifted = calloc(answer->n_links, sizeof *shifted);
     armtol_status status = shifted != NULL ? ARMTOL_OK : ARMTOL_NO_MEMORY;
     for (size_t pose = 0; pose < answer->n_poses && status == ARMTOL_OK; pose++) {
-        status = start_sampler(answer, pose, seed, shifted, links + pose * answer->n_links, &samplers[pose]);
+        status = draw_start_sampler(answer, pose, armtol_answer_bounded(answer, pose), seed, shifted,
+                                    links + pose * answer->n_links, &samplers[pose]);
     }
     free(shifted);
     return status;

@@ -28,7 +28,8 @@ static bool is_size(double value)
 static bool is_drive(const armtol_drive *drive)
 {
     return (isnan(drive->backlash) || is_size(drive->backlash)) && is_size(drive->compliance) &&
-           is_size(drive->moment) && is_size(drive->resolution) && is_size(drive->friction);
+           is_size(drive->moment) && is_size(drive->resolution) && is_size(drive->friction) &&
+           is_size(drive->noise);
 }
 
 /* Something that can bear on a joint beside what its drive's `moment` says. */
@@ -112,12 +113,16 @@ static armtol_status find_moments(armtol_answer *answer, const armtol_question *
 }
 
 /* A typed moment says the most that bears on a joint, in either sense, where the arm's masses do not say it. */
+static double doubt_of(const armtol_question *question, size_t link)
+{
+    return question->arm->masses == NULL ? question->arm->drives[link].moment : 0;
+}
+
 static armtol_drive_offset offset_of(const armtol_answer *answer, const armtol_question *question, size_t pose,
                                      size_t link)
 {
     const armtol_drive *drive = &question->arm->drives[link];
-    const double doubt = question->arm->masses == NULL ? drive->moment : 0;
-    return armtol_drive_offset_under(drive, answer->moments[pose * answer->n_links + link], doubt,
+    return armtol_drive_offset_under(drive, answer->moments[pose * answer->n_links + link], doubt_of(question, link),
                                      question_loading(question)->compensated);
 }
 
@@ -142,6 +147,9 @@ static armtol_status take_drive(armtol_answer *answer, const armtol_question *qu
         return ARMTOL_BAD_LOAD;
     }
     const armtol_drive_offset offset = offset_of(answer, question, pose, link);
+    const size_t place = pose * answer->n_links + link;
+    answer->arrivals[place] =
+        armtol_drive_arrival_under(&question->arm->drives[link], answer->moments[place], doubt_of(question, link));
     answer->shifts[pose * answer->n_columns + k] = offset.shift;
     answer->bounded[pose * answer->n_columns + k] = offset.half;
     answer->tolerances[k] = fmax(answer->tolerances[k], offset.half);

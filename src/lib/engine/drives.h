@@ -13,8 +13,8 @@ armtol_fault question_check_drives(const armtol_question *question);
 
 /*
  * What the drives of a placed answer make of their motors, Eq. (4.20), in every pose and load: moments, shifts, and the
- * half widths, in `bounded`; `given` and the largest in `tolerances`. Moments alone where the question leaves the
- * drives apart.
+ * half widths, in `bounded`, and what of them is of each arrival; `given` and the largest in `tolerances`. Moments
+ * alone where the question leaves the drives apart.
  */
 armtol_fault answer_take_drives(armtol_answer *answer, const armtol_question *question);
 

@@ -222,6 +222,30 @@ static void test_what_is_known_of_a_drive(void)
     TEST_ASSERT_TRUE(armtol_drive_is_known(&drive));
 }
 
+/* The parts of a half width that are drawn anew are what armtol_drive_offset_under adds up, less what stays. */
+static void test_what_a_drive_is_off_by_at_each_arrival(void)
+{
+    armtol_drive drive = armtol_drive_unknown;
+    armtol_drive_arrival arrival = armtol_drive_arrival_under(&drive, 1, 0);
+    check_same(0, armtol_drive_arrival_half(&arrival), "nothing is known");
+    drive.noise = 0.01;
+    TEST_ASSERT_TRUE(armtol_drive_is_known(&drive));
+    check_offset(0, 0.03, armtol_drive_offset_under(&drive, 1, 0, 0));
+    drive.backlash = 0.3;
+    drive.compliance = 0.02;
+    drive.resolution = 0.001;
+    drive.friction = 4;
+    arrival = armtol_drive_arrival_under(&drive, 5, 0);
+    check_same(0, arrival.play, "held at an end of its play");
+    check_same(0.0005, arrival.step, "half a step");
+    check_same(0.01, arrival.noise, "noise");
+    check_within(1e-15, 0.0305, armtol_drive_arrival_half(&arrival), "half width, held");
+    arrival = armtol_drive_arrival_under(&drive, 5, 2);
+    check_same(0.15, arrival.play, "the moment may be less than the friction");
+    check_offset(0.02 * 5, armtol_drive_arrival_half(&arrival) + 0.02 * 2 + 0.15,
+                 armtol_drive_offset_under(&drive, 5, 2, 0));
+}
+
 /* ---- what is wrong ---- */
 
 static armtol_status status_of(const armtol_mass *mass, const armtol_mass *payload, const armtol_loading *loading)
@@ -257,6 +281,7 @@ int main(void)
     RUN_TEST(test_moments_are_slopes_of_the_potential_energy);
     RUN_TEST(test_the_offset_of_a_drive);
     RUN_TEST(test_what_is_known_of_a_drive);
+    RUN_TEST(test_what_a_drive_is_off_by_at_each_arrival);
     RUN_TEST(test_what_is_no_load);
     return UNITY_END();
 }
