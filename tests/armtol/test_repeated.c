@@ -34,27 +34,17 @@ static string arm_folder(void)
     return folder;
 }
 
-/* The numbers behind "name": in the JSON, from where the words stand on. */
-static void numbers_behind(const process *process, const char *words, const char *name, double values[], size_t count)
+/* The number behind "name": in the JSON, from where the words stand on. */
+static double number_behind(const process *process, const char *words, const char *name)
 {
     const string key = string_of("\"%s\": ", name);
     const char *from = strstr(process->output.bytes, words);
-    const char *at = from != NULL ? strstr(from, key.text) : NULL;
+    TEST_ASSERT_NOT_NULL_MESSAGE(from, words);
+    const char *at = strstr(from, key.text);
     TEST_ASSERT_NOT_NULL_MESSAGE(at, name);
-    const char *number = at + strlen(key.text);
-    number += *number == '[';
-    for (size_t i = 0; i < count; i++) {
-        char *end;
-        values[i] = strtod(number, &end);
-        TEST_ASSERT_TRUE_MESSAGE(end != number, name);
-        number = end + 1;
-    }
-}
-
-static double number_behind(const process *process, const char *words, const char *name)
-{
-    double value;
-    numbers_behind(process, words, name, &value, 1);
+    char *end;
+    const double value = strtod(at + strlen(key.text), &end);
+    TEST_ASSERT_TRUE_MESSAGE(end != at + strlen(key.text), name);
     return value;
 }
 
