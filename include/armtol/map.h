@@ -53,8 +53,9 @@ typedef struct armtol_map {
  *    where a tolerance without a bound is seen.
  * 3) Droop and repeatability leave the tolerances out of the question and look at no accuracy. For the repeatability
  *    the drives are taken as stiff, and half the play as what a joint may be to either side of the middle of its play,
- *    where the moment does not hold it at one end. Two arrivals are apart by no more than twice the value. It is no
- *    measured repeatability (ISO 9283), and what wears, sticks or swings is not in it.
+ *    where the moment does not hold it at one end; of noise ARMTOL_NOISE_SIGMAS count. Two arrivals are apart by no
+ *    more than twice the value, but for noise beyond that. It is no measured repeatability (ISO 9283), and what wears,
+ *    sticks or swings is not in it.
  * 4) The tolerance needs an accuracy and no given tolerances. 0 where drives and what is given leave nothing of it;
  *    infinite where none of its columns has a bound.
  * 5) Where the drives are in no error (drives_apart, or nothing is known of them), the worst case is found in blocks of

@@ -256,6 +256,9 @@ static void test_ranges_and_loads_that_are_none(void)
     one.drive.backlash = -1;
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_DRIVES, 0);
     one.drive.backlash = 0;
+    one.drive.noise = (double)INFINITY;
+    check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_DRIVES, 0);
+    one.drive.noise = 0;
     one.link.kind = ARMTOL_PPR;
     one.link.joint = ARMTOL_PRISMATIC;
     check_refused(&one.question, ARMTOL_BAD_LOAD, ARMTOL_ABOUT_DRIVES, 0);

@@ -272,19 +272,22 @@ static void test_the_droop_of_a_boom_in_closed_form(void)
     }
 }
 
-/* Half a step to either side everywhere; half the play beside it where the moment is no more than the friction. */
+/*
+ * Half a step and three of the noise to either side everywhere; half the play beside it where the moment is no more
+ * than the friction.
+ */
 static void test_what_is_left_open_at_each_arrival(void)
 {
     double values[40];
-    const double play = 1e-4, step = 2e-5, friction = 8;
+    const double play = 1e-4, step = 2e-5, noise = 3e-6, friction = 8;
     make_boom();
     boom.drives[1] = (armtol_drive){.low = -4, .high = 4, .backlash = play, .compliance = 1e-5, .resolution = step,
-                                    .friction = friction};
+                                    .friction = friction, .noise = noise};
     map_well(&boom.question, ARMTOL_MAP_REPEATABILITY, ARMTOL_MAP_POSITION, values);
     int held = 0;
     for (size_t i = 0; i < 40; i++) {
         const double q = boom.q[i], moment = 4 * G * 0.5 * fabs(cos(q));
-        const double half = step / 2 + (moment >= friction ? 0 : play / 2);
+        const double half = step / 2 + 3 * noise + (moment >= friction ? 0 : play / 2);
         held += moment >= friction;
         check_within(1e-12, 500 * half, values[i], "repeatability at %g", q);
     }
