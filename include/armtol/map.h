@@ -121,6 +121,42 @@ armtol_status armtol_map_poses(const armtol_inverse_setup *setup, const armtol_m
                                bool (*progress)(void *context, size_t done, size_t total), void *context, double q[],
                                unsigned char marks[]);
 
+/* Of a point: whether armtol_inverse_find was asked about it, and what it said. */
+enum { ARMTOL_MAP_NOT_SEARCHED, ARMTOL_MAP_FOUND, ARMTOL_MAP_IN_VAIN };
+
+/* The searches of a map, which are most of its work, shared out. */
+typedef struct armtol_map_search {
+    size_t first, count;    /* the points, n_across x n_up in all, in which to search where nothing is known yet */
+    unsigned char *results; /* n_across x n_up: the above */
+    const double *q;        /* n_across x n_up poses: joint values where a search found them; NULL where none did yet */
+} armtol_map_search;
+
+/*
+ * armtol_map_poses in parts.
+ *
+ * Given:
+ *    search     which points to search in, and what is known of searches made elsewhere. The caller's
+ *    all else   as for armtol_map_poses
+ *
+ * Returned:
+ *    search->results   with those of the searches made here
+ *    q, marks          as if every search that was not to be made, and of which nothing is known, had been in vain;
+ *                      where a search made here found joint values they are in q
+ *
+ * Notes:
+ * 1) Once the results of all points are known, with their joint values, a last call returns what armtol_map_poses does,
+ *    to the bit, however the points were shared out. What it needs and nobody searched for it searches for itself,
+ *    where the points to search in are all of them.
+ * 2) Following from neighbours is done anew by each call. So is the search in the first point of all, from which the
+ *    others are followed to, where nothing is known of it.
+ *
+ * Errors: those of armtol_map_poses.
+ */
+armtol_status armtol_map_poses_in_parts(const armtol_inverse_setup *setup, const armtol_map_plane *plane,
+                                        const armtol_map_search *search,
+                                        bool (*progress)(void *context, size_t done, size_t total), void *context,
+                                        double q[], unsigned char marks[]);
+
 ARMTOL_INTERFACE_END
 
 #endif

@@ -6,8 +6,8 @@
 #include "armtol/ask/options.h"
 #include "armtol/ask/request.h"
 #include "armtol/ask/watched.h"
+#include "armtol/cluster/arms.h"
 #include "armtol/cluster/merge.h"
-#include "armtol/cluster/shard.h"
 #include "armtol/draw/budget.h"
 #include "armtol/map/run.h"
 #include "armtol/region/region_run.h"
@@ -47,10 +47,10 @@ static int verify(const request *request, const armtol_answer *answer, const mer
 {
     const armtol_draw draw = draw_of(request->options);
     armtol_fault fault;
-    if (merged != NULL && !merged_is_of(merged, answer)) {
+    if (merged != NULL && !arms_are_of(merged, answer)) {
         return EXIT_WRONG;
     }
-    const armtol_status status = merged != NULL ? watched_tally_verify(answer, &draw, merged->tally, found, &fault)
+    const armtol_status status = merged != NULL ? watched_tally_verify(answer, &draw, merged->content.arms, found, &fault)
                                                 : watched_verify(answer, &draw, found, &fault);
     return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }
@@ -119,7 +119,7 @@ static int answer_request(const request *request, const merged *merged)
     int code = request_answer(request, &answer);
     if (code == EXIT_OK) {
         const bool shard = request->options->shard != 0 && merged == NULL;
-        code = shard ? shard_run(request, answer, threads_of(request->options)) : tell(request, answer, merged, NULL);
+        code = shard ? arms_shard(request, answer, threads_of(request->options)) : tell(request, answer, merged, NULL);
         armtol_answer_destroy(answer);
     }
     return code;
@@ -144,7 +144,7 @@ static int run(const cli_options *options, const arm_model *model, const merged 
     if (code != EXIT_OK) {
         return code;
     }
-    const int ended = options->action == CLI_MAP  ? map_run(&request)
+    const int ended = options->action == CLI_MAP  ? map_run(&request, merged)
                       : against_is_asked(options) ? against_run(&request, model)
                       : options->region != NULL   ? answer_region(&request)
                                                   : answer_request(&request, merged);
@@ -222,7 +222,7 @@ static int act(const cli_options *options)
     }
 }
 
-/* The command that the tallies have in them, with their arms in place of arms to be drawn. */
+/* The command that the tallies have in them, with what is in them in place of what is to be drawn. */
 static int tell_merged(const merged *merged)
 {
     cli_options options;

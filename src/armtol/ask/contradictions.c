@@ -46,12 +46,12 @@ static const char *fault_of_comparison(const cli_options *options)
 
 static const char *fault_of_shard(const cli_options *options)
 {
-    const bool shard = options->shard != 0;
+    const bool shard = options->shard != 0, map = options->action == CLI_MAP;
     const contradiction list[] = {
-        {shard != (options->tally != NULL) || (shard && options->verify == 0),
-         "--shard I/N and --tally FILE go together, with --verify N"},
+        {shard != (options->tally != NULL) || (shard && options->verify == 0 && !map),
+         "--shard I/N and --tally FILE go together, with --verify N or armtol map"},
         {shard && options->region != NULL, "--shard draws arms in poses that are listed; expected no --region"},
-        {options->n_shards > options->verify, "--shard: more shards than arms to draw"},
+        {options->n_shards > options->verify && !map, "--shard: more shards than arms to draw"},
     };
     return FIRST_OF(list);
 }
@@ -111,8 +111,8 @@ static const char *fault_of_map(const cli_options *options)
         {options->map.plane == NULL, "the plane is missing; expected --plane xy, xz or yz"},
         {options->map.range == NULL, "the range is missing; expected --range A0..A1,B0..B1"},
         {options->map.grid != NULL && options->map.step != NULL, "--grid and --step exclude each other"},
-        {options->verify != 0 || options->seed_given || options->threads != 0 || options->budget ||
-             options->tool_pose || options->wish_motors || options->cycles != 0,
+        {options->verify != 0 || options->seed_given || (options->threads != 0 && options->shard == 0) ||
+             options->budget || options->tool_pose || options->wish_motors || options->cycles != 0,
          "--verify, --seed, --threads, --iso9283, --budget, --tool-pose and --wish are not for a map"},
         {compares_arms(options), "--against and --deviations are not for a map"},
         {options->format == OUTPUT_CSV, "a map has no --csv; expected --tsv FILE, --svg FILE or --json"},

@@ -12,7 +12,7 @@
 /* What is read before and what is being read: their number does not matter to it but for a range each. */
 typedef struct merging {
     merged *merged;
-    armtol_tally *part;
+    tally_content part;
     covered *ranges;
     size_t n_ranges;
 } merging;
@@ -38,7 +38,7 @@ static bool check_same(const merged *merged, const char *path, const tally_head 
     return difference == NULL;
 }
 
-/* Takes the head over where it is the one of the first arms. */
+/* Takes the head over where it is the one of the first arms, or rows. */
 static void keep_first(merged *merged, const char *path, tally_head *head)
 {
     if (merged->path == NULL || tally_head_range(head).first < tally_head_range(&merged->head).first) {
@@ -49,16 +49,26 @@ static void keep_first(merged *merged, const char *path, tally_head *head)
     }
 }
 
-static bool add(merging *merging, const char *path, tally_head *head)
+/* The first tally says how much there is of it all. */
+static int start(merged *merged, const tally_head *head)
+{
+    const bool fine = head->form->start(&merged->content, head, head->total);
+    return enough_memory(fine) ? EXIT_OK : EXIT_FAILED;
+}
+
+static int add(merging *merging, const char *path, tally_head *head)
 {
     merged *merged = merging->merged;
     if (!check_version(path, head) || (merged->path != NULL && !check_same(merged, path, head))) {
-        return false;
+        return EXIT_WRONG;
     }
-    merging->ranges[merging->n_ranges++] = (covered){tally_head_range(head), head->n_shards, path};
-    armtol_tally_add(merged->tally, merging->part);
-    keep_first(merged, path, head);
-    return true;
+    const int code = merged->path == NULL ? start(merged, head) : EXIT_OK;
+    if (code == EXIT_OK) {
+        merging->ranges[merging->n_ranges++] = (covered){tally_head_range(head), head->n_shards, path};
+        head->form->add(&merged->content, &merging->part, head);
+        keep_first(merged, path, head);
+    }
+    return code;
 }
 
 static int merge_file(merging *merging, const char *path)
@@ -68,14 +78,14 @@ static int merge_file(merging *merging, const char *path)
     if (stream == NULL) {
         return EXIT_WRONG;
     }
-    const tally_result result = tally_file_read(stream, path, &head, merging->part);
+    const tally_result result = tally_file_read(stream, path, &head, &merging->part);
     fclose(stream);
     if (result != TALLY_WHOLE) {
         return EXIT_WRONG; /* what the machine failed at is noted */
     }
-    const bool fine = add(merging, path, &head);
+    const int code = add(merging, path, &head);
     tally_head_free(&head);
-    return fine ? EXIT_OK : EXIT_WRONG;
+    return code;
 }
 
 /* ---- all of them ---- */
@@ -86,26 +96,19 @@ static int merge_all(merging *merging, char *const paths[], size_t n_paths)
     for (size_t i = 0; i < n_paths && code == EXIT_OK; i++) {
         code = merge_file(merging, paths[i]);
     }
-    if (code == EXIT_OK && !coverage_check(merging->ranges, merging->n_ranges, merging->merged->head.total)) {
+    if (code == EXIT_OK && !coverage_check(merging->ranges, merging->n_ranges, &merging->merged->head)) {
         code = EXIT_WRONG;
     }
     return code;
 }
 
-static bool get_memory(merging *merging, size_t n_paths)
-{
-    merging->ranges = calloc(n_paths, sizeof *merging->ranges);
-    return enough_memory(merging->ranges != NULL && armtol_tally_create(&merging->part) == ARMTOL_OK &&
-                         armtol_tally_create(&merging->merged->tally) == ARMTOL_OK);
-}
-
 int merge_files(char *const paths[], size_t n_paths, merged *merged)
 {
-    merging merging = {.merged = merged};
+    merging merging = {.merged = merged, .ranges = calloc(n_paths, sizeof *merging.ranges)};
     *merged = (struct merged){.path = NULL};
-    const int code = get_memory(&merging, n_paths) ? merge_all(&merging, paths, n_paths) : EXIT_FAILED;
+    const int code = enough_memory(merging.ranges != NULL) ? merge_all(&merging, paths, n_paths) : EXIT_FAILED;
     free(merging.ranges);
-    armtol_tally_destroy(merging.part);
+    tally_content_free(&merging.part);
     if (code != EXIT_OK) {
         merged_free(merged);
     }
@@ -115,29 +118,34 @@ int merge_files(char *const paths[], size_t n_paths, merged *merged)
 void merged_free(merged *merged)
 {
     tally_head_free(&merged->head);
-    armtol_tally_destroy(merged->tally);
-    merged->tally = NULL;
+    tally_content_free(&merged->content);
+}
+
+static bool asks_for(const cli_options *options, const tally_head *head)
+{
+    return head->form == &tally_of_rows ? options->action == CLI_MAP
+                                        : options->action == CLI_ANSWER && options->verify == head->total &&
+                                              options->seed == head->numbers[0];
 }
 
 bool merged_is_asked(const merged *merged, const cli_options *options)
 {
-    const bool same = options->action == CLI_ANSWER && options->verify == merged->head.total &&
-                      options->seed == merged->head.seed;
+    const bool same = asks_for(options, &merged->head);
     if (!same) {
-        message("%s: the command in it is not the one that its arms were drawn for: the tally is damaged",
-                merged->path);
+        message("%s: the command in it is not the one that its %s were drawn for: the tally is damaged", merged->path,
+                merged->head.form->many);
     }
     return same;
 }
 
-bool merged_is_of(const merged *merged, const armtol_answer *answer)
+bool merged_is_of(const merged *merged, const uint64_t fingerprints[])
 {
-    for (size_t i = 0; i < ARMTOL_TALLY_SUBJECT_COUNT; i++) {
-        const armtol_tally_subject subject = (armtol_tally_subject)i;
-        if (armtol_tally_fingerprint(answer, subject) != merged->head.fingerprints[i]) {
-            message("%s: the command in it asks now for another %s than when the arms were drawn; expected the files "
+    const tally_form *form = merged->head.form;
+    for (size_t i = 0; i < form->n_subjects; i++) {
+        if (fingerprints[i] != merged->head.fingerprints[i]) {
+            message("%s: the command in it asks now for another %s than when the %s were drawn; expected the files "
                     "that it names, as they were, in this folder",
-                    merged->path, armtol_tally_subject_name(subject));
+                    merged->path, form->subject(i), form->many);
             return false;
         }
     }

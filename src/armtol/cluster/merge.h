@@ -4,11 +4,11 @@
 #include "armtol/ask/options.h"
 #include "armtol/cluster/tally_file.h"
 
-/* All arms of a verification, counted from the tallies of its shards. */
+/* All arms of a verification, or rows of a map, from the tallies of its shards. */
 typedef struct merged {
-    const char *path; /* of the tally with the first arms, and its head: */
+    const char *path; /* of the tally with the first of them, and its head: */
     tally_head head;
-    armtol_tally *tally;
+    tally_content content;
 } merged;
 
 /*
@@ -18,10 +18,10 @@ typedef struct merged {
 int merge_files(char *const paths[], size_t n_paths, merged *merged);
 void merged_free(merged *merged);
 
-/* Whether the command that is in the tallies asks for their arms; false after a message. */
+/* Whether the command that is in the tallies asks for what is in them; false after a message. */
 bool merged_is_asked(const merged *merged, const cli_options *options);
 
-/* Whether the answer is the one that the arms were drawn for; false after a message. */
-bool merged_is_of(const merged *merged, const armtol_answer *answer);
+/* Whether what that command asks for now has the fingerprints of the tallies; false after a message. */
+bool merged_is_of(const merged *merged, const uint64_t fingerprints[]);
 
 #endif

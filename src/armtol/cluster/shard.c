@@ -1,8 +1,6 @@
 #include "armtol/cluster/shard.h"
 
 #include "armtol/armtol.h"
-#include "armtol/ask/watched.h"
-#include "armtol/cluster/tally_file.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 #include "files/outfile.h"
@@ -12,20 +10,17 @@
 #include <stdio.h>
 #include <string.h>
 
-static tally_head head_of(const cli_options *options, const armtol_answer *answer)
+tally_head shard_head(const cli_options *options, const tally_form *form, uint64_t total)
 {
     tally_head head = {
+        .form = form,
         .words = options->words,
         .n_words = options->n_words,
         .shard = options->shard,
         .n_shards = options->n_shards,
-        .total = options->verify,
-        .seed = options->seed,
+        .total = total,
     };
     snprintf(head.version, sizeof head.version, "%s", armtol_version());
-    for (size_t i = 0; i < ARMTOL_TALLY_SUBJECT_COUNT; i++) {
-        head.fingerprints[i] = armtol_tally_fingerprint(answer, (armtol_tally_subject)i);
-    }
     return head;
 }
 
@@ -48,10 +43,10 @@ static bool check_words(const tally_head *head)
 typedef enum found { FOUND_NOTHING, FOUND_TALLY, FOUND_OTHER, FOUND_UNREADABLE } found;
 
 /* A whole tally of the same shard is kept; a tally of anything else is drawn anew; what is no tally is somebody's. */
-static found look_closer(FILE *stream, const char *path, const tally_head *wanted, armtol_tally *tally)
+static found look_closer(FILE *stream, const char *path, const tally_head *wanted, tally_content *content)
 {
     tally_head head;
-    const tally_result result = tally_file_read(stream, path, &head, tally);
+    const tally_result result = tally_file_read(stream, path, &head, content);
     if (result != TALLY_WHOLE) {
         return result == TALLY_DAMAGED ? FOUND_NOTHING : result == TALLY_NONE ? FOUND_OTHER : FOUND_UNREADABLE;
     }
@@ -65,7 +60,7 @@ static found look_closer(FILE *stream, const char *path, const tally_head *wante
     return same ? FOUND_TALLY : FOUND_NOTHING;
 }
 
-static found look_for(const char *path, const tally_head *wanted, armtol_tally *tally)
+static found look_for(const char *path, const tally_head *wanted, tally_content *content)
 {
     FILE *stream = fopen(path, "rb");
     if (stream == NULL) {
@@ -76,7 +71,7 @@ static found look_for(const char *path, const tally_head *wanted, armtol_tally *
         }
         return missing ? FOUND_NOTHING : FOUND_UNREADABLE;
     }
-    const found found = look_closer(stream, path, wanted, tally);
+    const found found = look_closer(stream, path, wanted, content);
     fclose(stream);
     return found;
 }
@@ -86,40 +81,36 @@ static found look_for(const char *path, const tally_head *wanted, armtol_tally *
 static void say(const tally_head *head, const char *what, const char *path)
 {
     const shard_range range = tally_head_range(head);
-    printf("shard %" PRIu64 "/%" PRIu64 ", arms %" PRIu64 " to %" PRIu64 " of %" PRIu64 ": %s, %s\n", head->shard,
-           head->n_shards, range.first, range.first + range.count - 1, head->total, what, path);
+    printf("shard %" PRIu64 "/%" PRIu64 ", %s %" PRIu64 " to %" PRIu64 " of %" PRIu64 ": %s, %s\n", head->shard,
+           head->n_shards, head->form->many, range.first, range.first + range.count - 1, head->total, what, path);
 }
 
-static int draw_and_write(const request *request, const armtol_answer *answer, size_t n_threads,
-                          const outfile_place *place, const tally_content *content)
+static int draw_and_write(const shard *shard, const char *path, const outfile_place *place)
 {
-    const shard_range range = tally_head_range(content->head);
-    const armtol_draw draw = {.samples = range.count, .seed = content->head->seed, .n_threads = n_threads};
-    armtol_fault fault;
-    if (watched_tally_draw(answer, &draw, range.first, content->tally, &fault) != ARMTOL_OK) {
-        return request_failed(request, &fault);
-    }
-    if (!armtol_tally_is_of(content->tally, range.first, range.count)) {
-        message("interrupted: no tally is written");
+    const tally_head *head = shard->head;
+    if (!head->form->start(shard->content, head, tally_head_range(head).count)) {
+        out_of_memory();
         return EXIT_FAILED;
     }
-    if (!outfile_write_at(place, tally_file_write, content)) {
+    const int code = shard->draw(shard);
+    if (code != EXIT_OK) {
+        return code;
+    }
+    if (!outfile_write_at(place, tally_file_write, &(tally_written){head, shard->content})) {
         return EXIT_FAILED;
     }
-    say(content->head, "drawn", request->options->tally);
+    say(head, "drawn", path);
     return EXIT_OK;
 }
 
-static int run_at(const request *request, const armtol_answer *answer, size_t n_threads, const outfile_place *place,
-                  const tally_content *content)
+static int run_at(const shard *shard, const char *path, const outfile_place *place)
 {
-    const char *path = request->options->tally;
-    switch (look_for(path, content->head, content->tally)) {
+    switch (look_for(path, shard->head, shard->content)) {
     case FOUND_TALLY:
-        say(content->head, "there already", path);
+        say(shard->head, "there already", path);
         return EXIT_OK;
     case FOUND_NOTHING:
-        return draw_and_write(request, answer, n_threads, place, content);
+        return draw_and_write(shard, path, place);
     case FOUND_OTHER:
         message("--tally: %s is in the way; expected no file, or a tally", path);
         return EXIT_WRONG;
@@ -128,30 +119,17 @@ static int run_at(const request *request, const armtol_answer *answer, size_t n_
     }
 }
 
-/* Whether the file can be written is asked before the arms are drawn. */
-static int run(const request *request, const armtol_answer *answer, size_t n_threads, const tally_content *content)
+/* Whether the file can be written is asked before anything is drawn. */
+int shard_run(const shard *shard, const char *path)
 {
     outfile_place place;
-    if (!outfile_open(&place, request->options->tally)) {
-        return EXIT_FAILED;
-    }
-    const int code = run_at(request, answer, n_threads, &place, content);
-    outfile_close(&place);
-    return code;
-}
-
-int shard_run(const request *request, const armtol_answer *answer, size_t n_threads)
-{
-    const tally_head head = head_of(request->options, answer);
-    armtol_tally *tally;
-    if (!check_words(&head)) {
+    if (!check_words(shard->head)) {
         return EXIT_WRONG;
     }
-    if (armtol_tally_create(&tally) != ARMTOL_OK) {
-        out_of_memory();
+    if (!outfile_open(&place, path)) {
         return EXIT_FAILED;
     }
-    const int code = run(request, answer, n_threads, &(tally_content){&head, tally});
-    armtol_tally_destroy(tally);
+    const int code = run_at(shard, path, &place);
+    outfile_close(&place);
     return code;
 }

@@ -1,8 +1,7 @@
 #ifndef ARMTOL_CLUSTER_TALLY_FILE_H
 #define ARMTOL_CLUSTER_TALLY_FILE_H
 
-#include "armtol/cluster/shard_range.h"
-#include "armtol/tally.h"
+#include "armtol/cluster/tally_form.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -10,21 +9,21 @@
 #include <stdio.h>
 
 /*
- * The counts of one shard as a text file, the same on all machines: docs/cluster.md has its form. What it is of stands
- * before the counts, and a checksum behind them.
+ * What one shard came to as a text file, the same on all machines: docs/cluster.md has its form. What it is of stands
+ * before its contents, and a checksum behind them.
  */
 
 enum { TALLY_VERSION = 32, TALLY_WORD_MOST = 16384 };
 
 /* What a tally is of. */
 typedef struct tally_head {
+    const tally_form *form;
     char version[TALLY_VERSION]; /* of armtol */
     char **words;                /* of the command, without the program's name; a NULL behind them */
     size_t n_words;
     uint64_t shard, n_shards; /* shard 1 to n_shards */
-    uint64_t total;           /* arms of all shards */
-    uint64_t seed;
-    uint64_t fingerprints[ARMTOL_TALLY_SUBJECT_COUNT];
+    uint64_t total;           /* arms, or rows, of all shards */
+    uint64_t numbers[TALLY_NUMBERS], fingerprints[TALLY_SUBJECTS]; /* as many as the form has */
 } tally_head;
 
 shard_range tally_head_range(const tally_head *head);
@@ -43,18 +42,18 @@ typedef enum tally_result {
 } tally_result;
 
 /*
- * Read a tally. Where it is whole the head is to be freed; else nothing is, after a message, and the tally is of no
- * use.
+ * Read a tally of any form. Where it is whole the head is to be freed; else the head is not, after a message, and the
+ * content is of no use, but to be freed, as it always is.
  */
-tally_result tally_file_read(FILE *stream, const char *path, tally_head *head, armtol_tally *tally);
+tally_result tally_file_read(FILE *stream, const char *path, tally_head *head, tally_content *content);
 
-/* A head and its counts, for outfile_write_at. */
-typedef struct tally_content {
+/* A tally, for outfile_write_at. */
+typedef struct tally_written {
     const tally_head *head;
-    armtol_tally *tally;
-} tally_content;
+    const tally_content *content;
+} tally_written;
 
-/* Writes the tally_content that data points to. What cannot be written shows in the stream. */
+/* Writes the tally_written that data points to. What cannot be written shows in the stream. */
 void tally_file_write(FILE *stream, const void *data);
 
 /* FNV-1a: goes on from a checksum, the first being TALLY_CHECKSUM_START. */

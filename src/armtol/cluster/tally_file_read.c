@@ -20,7 +20,7 @@ typedef struct reader {
     uint64_t checksum; /* of the lines before it */
     tally_result result; /* TALLY_WHOLE as long as nothing is wrong */
     tally_head *head;
-    armtol_tally *tally;
+    tally_content *content;
     size_t room; /* of the head's words */
     char text[LINE]; /* of the line, without its end */
 } reader;
@@ -118,15 +118,12 @@ static bool take_number(const char **at, unsigned base, uint64_t *value)
     return fine;
 }
 
-/* A line of the name and so many numbers. */
-static bool take_line(reader *reader, const char *name, size_t n, unsigned base, uint64_t numbers[])
+/* A line of the name and a number. */
+static bool take_line(reader *reader, const char *name, unsigned base, uint64_t *number)
 {
     const char *at = next_line(reader) ? behind(reader->text, name) : NULL;
-    bool fine = at != NULL;
-    for (size_t i = 0; i < n && fine; i++) {
-        fine = take_number(&at, base, &numbers[i]);
-    }
-    return (fine && *at == '\0') || (reader->result == TALLY_WHOLE && damaged(reader));
+    const bool fine = at != NULL && take_number(&at, base, number) && *at == '\0';
+    return fine || (reader->result == TALLY_WHOLE && damaged(reader));
 }
 
 /* ---- the head ---- */
@@ -199,6 +196,21 @@ static bool take_words(reader *reader)
     return false;
 }
 
+/* Of which form the tally is, by the name of the line at hand, and how many arms or rows there are. */
+static bool take_form(reader *reader)
+{
+    static const tally_form *const forms[] = {&tally_of_arms, &tally_of_rows};
+    tally_head *head = reader->head;
+    for (size_t i = 0; i < sizeof forms / sizeof forms[0]; i++) {
+        const char *at = behind(reader->text, forms[i]->many);
+        if (at != NULL) {
+            head->form = forms[i];
+            return (take_number(&at, 10, &head->total) && *at == '\0') || damaged(reader);
+        }
+    }
+    return damaged(reader);
+}
+
 static bool take_shard(reader *reader)
 {
     tally_head *head = reader->head;
@@ -208,28 +220,38 @@ static bool take_shard(reader *reader)
     if (!fine) {
         return damaged(reader);
     }
-    if (!take_line(reader, "arms", 1, 10, &head->total)) {
+    if (!next_line(reader) || !take_form(reader)) {
         return false;
     }
     const bool sound = head->shard >= 1 && head->shard <= head->n_shards && head->n_shards <= MOST_SHARDS &&
-                       head->n_shards <= head->total && head->total <= MOST_ARMS && head->n_words > 0;
+                       head->n_shards <= head->total && head->total <= head->form->most && head->n_words > 0;
     return sound || damaged(reader);
+}
+
+static bool take_numbers(reader *reader)
+{
+    tally_head *head = reader->head;
+    for (size_t i = 0; i < head->form->n_numbers; i++) {
+        if (!take_line(reader, head->form->numbers[i], 10, &head->numbers[i])) {
+            return false;
+        }
+    }
+    return head->form->is_sound(head) || damaged(reader);
 }
 
 static bool take_head(reader *reader)
 {
     tally_head *head = reader->head;
-    bool fine = take_first_lines(reader) && take_words(reader) && take_shard(reader) &&
-                take_line(reader, "seed", 1, 10, &head->seed);
-    for (size_t i = 0; i < ARMTOL_TALLY_SUBJECT_COUNT && fine; i++) {
+    bool fine = take_first_lines(reader) && take_words(reader) && take_shard(reader) && take_numbers(reader);
+    for (size_t i = 0; fine && i < head->form->n_subjects; i++) {
         char name[40];
-        snprintf(name, sizeof name, "fingerprint %s", armtol_tally_subject_name((armtol_tally_subject)i));
-        fine = take_line(reader, name, 1, 16, &head->fingerprints[i]);
+        snprintf(name, sizeof name, "fingerprint %s", head->form->subject(i));
+        fine = take_line(reader, name, 16, &head->fingerprints[i]);
     }
     return fine;
 }
 
-/* ---- the counts ---- */
+/* ---- the contents ---- */
 
 static bool take_value(const armtol_tally_member *member, size_t place, const char **at)
 {
@@ -257,8 +279,9 @@ static bool take_values(const armtol_tally_member *member, const char *at)
 
 static bool take_member(reader *reader)
 {
-    for (size_t i = 0; i < armtol_tally_member_count(); i++) {
-        const armtol_tally_member member = armtol_tally_member_at(reader->tally, i);
+    const tally_form *form = reader->head->form;
+    for (size_t i = 0; i < form->member_count(); i++) {
+        const armtol_tally_member member = form->member(reader->content, i);
         const char *at = behind(reader->text, member.name);
         if (at != NULL) {
             return take_values(&member, at) || damaged(reader);
@@ -282,7 +305,7 @@ static bool take_end(reader *reader, const char *at)
     return true;
 }
 
-static bool take_counts(reader *reader)
+static bool take_members(reader *reader)
 {
     while (next_line(reader)) {
         const char *end = behind(reader->text, "end");
@@ -296,14 +319,18 @@ static bool take_counts(reader *reader)
     return false;
 }
 
-static bool check_counts(reader *reader)
+static bool take_content(reader *reader)
 {
-    const shard_range range = tally_head_range(reader->head);
-    return armtol_tally_is_of(reader->tally, range.first, range.count) ||
-           fail(reader, "the counts do not add up to the arms of the shard: the tally is damaged");
+    const tally_head *head = reader->head;
+    const tally_form *form = head->form;
+    if (!form->start(reader->content, head, tally_head_range(head).count)) {
+        out_of_memory();
+        return out_of_room(reader);
+    }
+    return take_members(reader) && (form->fits(reader->content, head) || fail(reader, form->misfit));
 }
 
-tally_result tally_file_read(FILE *stream, const char *path, tally_head *head, armtol_tally *tally)
+tally_result tally_file_read(FILE *stream, const char *path, tally_head *head, tally_content *content)
 {
     reader *reader = malloc(sizeof *reader);
     *head = (tally_head){.words = NULL};
@@ -315,9 +342,8 @@ tally_result tally_file_read(FILE *stream, const char *path, tally_head *head, a
     reader->stream = stream;
     reader->path = path;
     reader->head = head;
-    reader->tally = tally;
-    armtol_tally_clear(tally);
-    const bool fine = take_head(reader) && take_counts(reader) && check_counts(reader);
+    reader->content = content;
+    const bool fine = take_head(reader) && take_content(reader);
     const tally_result result = reader->result;
     if (!fine) {
         tally_head_free(head);

@@ -1,6 +1,7 @@
 #include "armtol/cluster/tally_file.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <string.h>
 
 typedef struct writer {
@@ -28,6 +29,13 @@ static void put_bits(writer *writer, uint64_t bits)
     put(writer, text);
 }
 
+static void put_number(writer *writer, const char *name, uint64_t number)
+{
+    put(writer, name);
+    put_count(writer, number);
+    put(writer, "\n");
+}
+
 /* A word may hold anything; what is no plain character becomes % and two digits. */
 static void put_word(writer *writer, const char *word)
 {
@@ -53,62 +61,64 @@ static void put_head(writer *writer, const tally_head *head)
     put(writer, "shard");
     put_count(writer, head->shard);
     put_count(writer, head->n_shards);
-    put(writer, "\narms");
-    put_count(writer, head->total);
-    put(writer, "\nseed");
-    put_count(writer, head->seed);
     put(writer, "\n");
-    for (size_t i = 0; i < ARMTOL_TALLY_SUBJECT_COUNT; i++) {
+    put_number(writer, head->form->many, head->total);
+    for (size_t i = 0; i < head->form->n_numbers; i++) {
+        put_number(writer, head->form->numbers[i], head->numbers[i]);
+    }
+    for (size_t i = 0; i < head->form->n_subjects; i++) {
         put(writer, "fingerprint ");
-        put(writer, armtol_tally_subject_name((armtol_tally_subject)i));
+        put(writer, head->form->subject(i));
         put_bits(writer, head->fingerprints[i]);
         put(writer, "\n");
     }
 }
 
-/* A line for each run of counts that are not 0, with the place of its first. */
-static void put_counts(writer *writer, const armtol_tally_member *member)
+/* Whether there is anything to write: what no line has is 0, or not looked at. */
+static bool has_value(const armtol_tally_member *member, size_t i)
+{
+    return member->counts != NULL ? member->counts[i] != 0 : !isnan(member->numbers[i]);
+}
+
+/* A number by its bits: what was written is what is read, to the last one. */
+static void put_value(writer *writer, const armtol_tally_member *member, size_t i)
+{
+    if (member->counts != NULL) {
+        put_count(writer, member->counts[i]);
+    } else {
+        uint64_t bits;
+        memcpy(&bits, &member->numbers[i], sizeof bits);
+        put_bits(writer, bits);
+    }
+}
+
+/* A line for each run of values, with the place of its first. */
+static void put_member(writer *writer, const armtol_tally_member *member)
 {
     enum { A_LINE = 64 };
     for (size_t i = 0; i < member->length;) {
-        if (member->counts[i] == 0) {
+        if (!has_value(member, i)) {
             i++;
             continue;
         }
         put(writer, member->name);
         put_count(writer, i);
-        for (size_t n = 0; n < A_LINE && i < member->length && member->counts[i] != 0; n++, i++) {
-            put_count(writer, member->counts[i]);
+        for (size_t n = 0; n < A_LINE && i < member->length && has_value(member, i); n++, i++) {
+            put_value(writer, member, i);
         }
         put(writer, "\n");
     }
 }
 
-/* By their bits: what was written is what is read, to the last one. */
-static void put_numbers(writer *writer, const armtol_tally_member *member)
-{
-    put(writer, member->name);
-    put_count(writer, 0);
-    for (size_t i = 0; i < member->length; i++) {
-        uint64_t bits;
-        memcpy(&bits, &member->numbers[i], sizeof bits);
-        put_bits(writer, bits);
-    }
-    put(writer, "\n");
-}
-
 void tally_file_write(FILE *stream, const void *data)
 {
-    const tally_content *content = data;
+    const tally_written *written = data;
+    const tally_form *form = written->head->form;
     writer writer = {stream, TALLY_CHECKSUM_START};
-    put_head(&writer, content->head);
-    for (size_t i = 0; i < armtol_tally_member_count(); i++) {
-        const armtol_tally_member member = armtol_tally_member_at(content->tally, i);
-        if (member.counts != NULL) {
-            put_counts(&writer, &member);
-        } else {
-            put_numbers(&writer, &member);
-        }
+    put_head(&writer, written->head);
+    for (size_t i = 0; i < form->member_count(); i++) {
+        const armtol_tally_member member = form->member(written->content, i);
+        put_member(&writer, &member);
     }
     fprintf(stream, "end %016" PRIx64 "\n", writer.checksum);
 }

@@ -10,18 +10,24 @@ shard_range tally_head_range(const tally_head *head)
 
 const char *tally_head_difference(const tally_head *one, const tally_head *other)
 {
+    const tally_form *form = one->form;
     if (strcmp(one->version, other->version) != 0) {
         return "version of armtol";
     }
+    if (form != other->form) {
+        return "kind";
+    }
     if (one->total != other->total) {
-        return "number of arms";
+        return form->number;
     }
-    if (one->seed != other->seed) {
-        return "seed";
+    for (size_t i = 0; i < form->n_numbers; i++) {
+        if (one->numbers[i] != other->numbers[i]) {
+            return form->meanings[i];
+        }
     }
-    for (size_t i = 0; i < ARMTOL_TALLY_SUBJECT_COUNT; i++) {
+    for (size_t i = 0; i < form->n_subjects; i++) {
         if (one->fingerprints[i] != other->fingerprints[i]) {
-            return armtol_tally_subject_name((armtol_tally_subject)i);
+            return form->subject(i);
         }
     }
     return NULL;

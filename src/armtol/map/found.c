@@ -34,6 +34,11 @@ void map_found_free(map_found *found)
     free(found->values);
 }
 
+bool map_is_reached(const map_found *found, size_t point)
+{
+    return (found->marks[point] & ARMTOL_MAP_REACHED) != 0;
+}
+
 /* ---- joint values ---- */
 
 static bool look_on(void *context, size_t done, size_t total)
@@ -69,7 +74,18 @@ static const double *near_of(const request *request)
     return request->question.n_poses > 0 && !own ? request->q : NULL;
 }
 
-static int reach_points(const map_plan *plan, progress *bar, map_found *found)
+static armtol_status find_poses(const armtol_inverse_setup *setup, const armtol_map_plane *plane,
+                                const map_share *share, progress *bar, map_found *found)
+{
+    if (share == NULL) {
+        return armtol_map_poses(setup, plane, look_on, bar, found->q, found->marks);
+    }
+    const armtol_map_search search = {share->first, share->count, share->searched,
+                                      share->known != NULL ? share->known->q : NULL};
+    return armtol_map_poses_in_parts(setup, plane, &search, look_on, bar, found->q, found->marks);
+}
+
+static int reach_points(const map_plan *plan, const map_share *share, progress *bar, map_found *found)
 {
     const request *request = plan->request;
     const armtol_map_plane plane = plane_of(plan);
@@ -77,7 +93,7 @@ static int reach_points(const map_plan *plan, progress *bar, map_found *found)
                                   .near = near_of(request)};
     memcpy(setup.offset, request->question.tool.offset, sizeof setup.offset);
     progress_start(bar, "points reached for", map_plan_count(plan));
-    const armtol_status status = armtol_map_poses(&setup, &plane, look_on, bar, found->q, found->marks);
+    const armtol_status status = find_poses(&setup, &plane, share, bar, found);
     progress_end(bar);
     if (status == ARMTOL_NO_MEMORY) {
         out_of_memory();
@@ -121,20 +137,51 @@ static int ask_tolerances(const request *request, double **tolerances)
     return code;
 }
 
-static int find_values(const map_plan *plan, const armtol_question *asked, progress *bar, map_found *found)
+static bool is_known(const map_plan *plan, const tally_rows *known, const map_found *found, size_t point)
 {
-    const size_t count = map_plan_count(plan);
+    const size_t n = joints_of(plan);
+    return !map_is_reached(found, point) ||
+           ((known->points[point] & ROWS_REACHED) != 0 &&
+            memcmp(known->q + point * n, found->q + point * n, n * sizeof *found->q) == 0);
+}
+
+/*
+ * Values that others found: of every point that is reached, at the very joint values that it has here. False where one
+ * is missing. An arm without joints has the same value in all points.
+ */
+static bool take_known(const map_plan *plan, const map_share *share, size_t first, size_t count, map_found *found)
+{
+    bool known = share != NULL && share->known != NULL && joints_of(plan) > 0;
+    for (size_t k = first; k < first + count && known; k++) {
+        known = is_known(plan, share->known, found, k);
+        found->values[k] = map_is_reached(found, k) ? share->known->values[k] : (double)NAN;
+    }
+    return known;
+}
+
+static bool find_some(const map_plan *plan, armtol_question *question, size_t first, map_found *found,
+                      armtol_fault *fault)
+{
+    question->q = found->q + first * joints_of(plan);
+    return armtol_map_values(question, &plan->map, found->values + first, fault) == ARMTOL_OK;
+}
+
+static int find_values(const map_plan *plan, const map_share *share, const armtol_question *asked, progress *bar,
+                       map_found *found)
+{
+    const size_t begin = share != NULL ? share->first : 0, count = share != NULL ? share->count : map_plan_count(plan);
     armtol_question question = *asked;
     progress_start(bar, "points", count);
-    for (size_t first = 0; first < count; first += AT_ONCE) {
+    for (size_t done = 0; done < count; done += question.n_poses) {
+        const size_t first = begin + done;
         armtol_fault fault;
-        question.q = found->q + first * joints_of(plan);
-        question.n_poses = count - first < AT_ONCE ? count - first : AT_ONCE;
-        if (armtol_map_values(&question, &plan->map, found->values + first, &fault) != ARMTOL_OK) {
+        question.n_poses = count - done < AT_ONCE ? count - done : AT_ONCE;
+        if (!take_known(plan, share, first, question.n_poses, found) &&
+            !find_some(plan, &question, first, found, &fault)) {
             progress_end(bar);
             return request_failed(plan->request, &fault);
         }
-        progress_show(bar, first + question.n_poses);
+        progress_show(bar, done + question.n_poses);
         if (interrupt_came()) {
             progress_end(bar);
             return interrupted();
@@ -144,7 +191,7 @@ static int find_values(const map_plan *plan, const armtol_question *asked, progr
     return EXIT_OK;
 }
 
-static int ask_values(const map_plan *plan, progress *bar, map_found *found)
+static int ask_values(const map_plan *plan, const map_share *share, progress *bar, map_found *found)
 {
     armtol_question question = plan->request->question;
     double *tolerances = NULL;
@@ -155,15 +202,10 @@ static int ask_values(const map_plan *plan, progress *bar, map_found *found)
         question.least = question.largest = NULL;
     }
     if (code == EXIT_OK) {
-        code = find_values(plan, &question, bar, found);
+        code = find_values(plan, share, &question, bar, found);
     }
     free(tolerances);
     return code;
-}
-
-bool map_is_reached(const map_found *found, size_t point)
-{
-    return (found->marks[point] & ARMTOL_MAP_REACHED) != 0;
 }
 
 static bool is_seam(const map_found *found, size_t point, size_t neighbour, int joined)
@@ -195,16 +237,16 @@ static void sum_up(const map_plan *plan, map_found *found)
     }
 }
 
-static int find(const map_plan *plan, map_found *found)
+static int find(const map_plan *plan, const map_share *share, map_found *found)
 {
     progress bar;
     if (!get_memory(plan, found)) {
         out_of_memory();
         return EXIT_FAILED;
     }
-    int code = reach_points(plan, &bar, found);
+    int code = reach_points(plan, share, &bar, found);
     if (code == EXIT_OK) {
-        code = ask_values(plan, &bar, found);
+        code = ask_values(plan, share, &bar, found);
     }
     if (code == EXIT_OK) {
         sum_up(plan, found);
@@ -212,11 +254,11 @@ static int find(const map_plan *plan, map_found *found)
     return code;
 }
 
-int map_find(const map_plan *plan, map_found *found)
+int map_find(const map_plan *plan, const map_share *share, map_found *found)
 {
     struct sigaction before;
     interrupt_watch(&before);
-    const int code = find(plan, found);
+    const int code = find(plan, share, found);
     interrupt_restore(&before);
     if (code != EXIT_OK) {
         map_found_free(found);

@@ -1,6 +1,7 @@
 #ifndef ARMTOL_MAP_FOUND_H
 #define ARMTOL_MAP_FOUND_H
 
+#include "armtol/cluster/tally_form.h"
 #include "armtol/map/plan.h"
 
 #include <stdbool.h>
@@ -17,10 +18,19 @@ typedef struct map_found {
     size_t least, most; /* the points of the least and the largest of these, the first of several */
 } map_found;
 
+/* What of a map is searched and asked for here, and what others found of it. */
+typedef struct map_share {
+    size_t first, count;     /* the points, whole rows */
+    unsigned char *searched; /* what is known of each point of the map, as of armtol_map_search; added to */
+    const tally_rows *known; /* all rows of the map; NULL for none */
+} map_share;
+
 /*
- * With a bar for those who wait; Ctrl-C ends it. EXIT_OK, or an exit code after a message; nothing is then to be freed.
+ * share NULL: all of it. Of points beyond a share there are joint values where no search was needed, and no values; the
+ * counts are then of no use. With a bar for those who wait; Ctrl-C ends it. EXIT_OK, or an exit code after a message;
+ * nothing is then to be freed.
  */
-int map_find(const map_plan *plan, map_found *found);
+int map_find(const map_plan *plan, const map_share *share, map_found *found);
 void map_found_free(map_found *found);
 
 /*

@@ -2,13 +2,14 @@
 #define ARMTOL_MAP_PLAN_H
 
 #include "armtol/ask/request.h"
+#include "armtol/cluster/tally_form.h"
 #include "armtol/map.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
 /* So many points are a map at the most, and so many a picture with a tool tip for each. */
-enum { MAP_MOST_POINTS = 1000000, MAP_MOST_DRAWN = 40000 };
+enum { MAP_MOST_POINTS = ROWS_MOST_POINTS, MAP_MOST_DRAWN = 40000 };
 
 /* What of a map the command line says, in inside units. */
 typedef struct map_plan {

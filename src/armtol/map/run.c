@@ -1,6 +1,7 @@
 #include "armtol/map/run.h"
 
 #include "armtol/map/output.h"
+#include "armtol/map/rows.h"
 #include "console/exit_code.h"
 #include "console/message.h"
 #include "files/outfile.h"
@@ -51,10 +52,20 @@ static bool is_one_output(const cli_options *options)
     return n <= 1;
 }
 
-int map_run(const request *request)
+static int find_and_tell(const map_plan *plan, const merged *merged)
+{
+    map_found found;
+    int code = merged != NULL ? rows_merge(plan, merged, &found) : map_find(plan, NULL, &found);
+    if (code == EXIT_OK) {
+        code = draw_and_tell(plan, &found);
+        map_found_free(&found);
+    }
+    return code;
+}
+
+int map_run(const request *request, const merged *merged)
 {
     map_plan plan;
-    map_found found;
     if (!is_one_output(request->options)) {
         return EXIT_WRONG;
     }
@@ -62,11 +73,7 @@ int map_run(const request *request)
     if (code != EXIT_OK) {
         return code;
     }
-    code = map_find(&plan, &found);
-    if (code == EXIT_OK) {
-        code = draw_and_tell(&plan, &found);
-        map_found_free(&found);
-    }
+    code = request->options->shard != 0 && merged == NULL ? rows_shard(&plan) : find_and_tell(&plan, merged);
     map_plan_free(&plan);
     return code;
 }

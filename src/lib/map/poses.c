@@ -20,6 +20,7 @@ enum { STRIDE = 3 };
 typedef struct walk {
     const armtol_inverse_setup *setup;
     const armtol_map_plane *plane;
+    const armtol_map_search *search; /* NULL: in every point, and nothing is known */
     armtol_inverse *inverse;
     bool (*progress)(void *context, size_t done, size_t total);
     void *context;
@@ -192,13 +193,42 @@ static bool spread(walk *walk, size_t point)
     return true;
 }
 
-/* From here on, where the point can be reached at all. *going: false where the work was ended. */
-static armtol_status begin_at(walk *walk, size_t point, bool *going)
+/* The branch nearest to the setup's posture. *q is the solver's. */
+static armtol_status search_at(walk *walk, size_t point, const double **q)
 {
     const armtol_wish wish = wish_of(walk, point);
     const armtol_status status = armtol_inverse_find(walk->inverse, &wish, &walk->branches);
+    *q = status == ARMTOL_OK ? walk->branches.branch[0].q : NULL;
+    return status;
+}
+
+/* The same, of a search that others may have made, or are to make: then the point counts as out of reach. */
+static armtol_status share_search_at(walk *walk, size_t point, bool first, const double **q)
+{
+    const armtol_map_search *search = walk->search;
+    const bool ours = first || (point >= search->first && point - search->first < search->count);
+    unsigned char *const result = &search->results[point];
+    if (*result == ARMTOL_MAP_FOUND && search->q != NULL) {
+        *q = search->q + point * walk->n_joints;
+        return ARMTOL_OK;
+    }
+    if (*result == ARMTOL_MAP_IN_VAIN || !ours) {
+        return ARMTOL_OUT_OF_REACH;
+    }
+    const armtol_status status = search_at(walk, point, q);
+    *result = status == ARMTOL_OK ? ARMTOL_MAP_FOUND
+              : status == ARMTOL_OUT_OF_REACH ? ARMTOL_MAP_IN_VAIN : ARMTOL_MAP_NOT_SEARCHED;
+    return status;
+}
+
+/* From here on, where the point can be reached at all. *going: false where the work was ended. */
+static armtol_status begin_at(walk *walk, size_t point, bool first, bool *going)
+{
+    const double *q;
+    const armtol_status status = walk->search == NULL ? search_at(walk, point, &q)
+                                                      : share_search_at(walk, point, first, &q);
     if (status == ARMTOL_OK) {
-        keep(walk, point, walk->branches.branch[0].q);
+        keep(walk, point, q);
         *going = spread(walk, point);
     } else {
         *going = go_on(walk);
@@ -245,14 +275,14 @@ static size_t first_point(const walk *walk, const double tool[3])
 static armtol_status walk_regions(walk *walk, const double tool[3])
 {
     bool going = true;
-    armtol_status status = begin_at(walk, first_point(walk, tool), &going);
+    armtol_status status = begin_at(walk, first_point(walk, tool), true, &going);
     for (size_t point = 0; point < walk->count && status == ARMTOL_OK && going; point++) {
         const size_t i = point % walk->plane->n_across, j = point / walk->plane->n_across;
         if (!is_reached(walk, point)) {
             going = leap_to(walk, point);
         }
         if (!is_reached(walk, point) && going && i % STRIDE == 0 && j % STRIDE == 0) {
-            status = begin_at(walk, point, &going);
+            status = begin_at(walk, point, false, &going);
         }
         walk->passed += !is_reached(walk, point);
     }
@@ -323,11 +353,13 @@ static armtol_status walk_all(walk *walk)
     return status;
 }
 
-armtol_status armtol_map_poses(const armtol_inverse_setup *setup, const armtol_map_plane *plane,
-                               bool (*progress)(void *context, size_t done, size_t total), void *context, double q[],
-                               unsigned char marks[])
+armtol_status armtol_map_poses_in_parts(const armtol_inverse_setup *setup, const armtol_map_plane *plane,
+                                        const armtol_map_search *search,
+                                        bool (*progress)(void *context, size_t done, size_t total), void *context,
+                                        double q[], unsigned char marks[])
 {
-    walk walk = {.setup = setup, .plane = plane, .progress = progress, .context = context, .q = q, .marks = marks};
+    walk walk = {.setup = setup, .plane = plane, .search = search, .progress = progress, .context = context, .q = q,
+                 .marks = marks};
     if (plane->n_across == 0 || plane->n_up == 0) {
         return ARMTOL_BAD_QUESTION;
     }
@@ -343,4 +375,11 @@ armtol_status armtol_map_poses(const armtol_inverse_setup *setup, const armtol_m
     free(walk.links);
     armtol_inverse_destroy(walk.inverse);
     return status;
+}
+
+armtol_status armtol_map_poses(const armtol_inverse_setup *setup, const armtol_map_plane *plane,
+                               bool (*progress)(void *context, size_t done, size_t total), void *context, double q[],
+                               unsigned char marks[])
+{
+    return armtol_map_poses_in_parts(setup, plane, NULL, progress, context, q, marks);
 }

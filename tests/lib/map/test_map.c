@@ -544,6 +544,83 @@ static void test_the_arms_of_1987_go_their_own_way(void)
     }
 }
 
+/* ---- in parts ---- */
+
+static armtol_status find_part(const armtol_inverse_setup *setup, size_t first, size_t count, unsigned char results[],
+                               const double q[])
+{
+    const armtol_map_search search = {first, count, results, q};
+    return armtol_map_poses_in_parts(setup, &found.plane, &search, NULL, NULL, found.q, found.marks);
+}
+
+/* Rows from `row` on, as a process for itself: its results, and joint values where a search found them, are added. */
+static size_t share_rows(const armtol_inverse_setup *setup, size_t row, size_t rows, unsigned char results[],
+                         double q[])
+{
+    static unsigned char own[POINTS];
+    const size_t n = armtol_arm_joint_count(setup->arm), first = row * WIDE, count = rows * WIDE;
+    memset(own, ARMTOL_MAP_NOT_SEARCHED, sizeof own);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_part(setup, first, count, own, NULL));
+    memcpy(results + first, own + first, count);
+    memcpy(q + first * n, found.q + first * n, count * n * sizeof *q);
+    return check_reached(setup);
+}
+
+/*
+ * A strip that cuts a ring in two: from the one piece no step leads to the other, which is found by a search in one of
+ * every third row alone. So a part of rows between them does not have all of it, and together they have, to the bit.
+ */
+static void test_parts_of_two_pieces_are_the_whole(void)
+{
+    static unsigned char results[POINTS], marks[POINTS];
+    static double q[POINTS * 8], whole[POINTS * 8];
+    const double first[3] = {-560, -65, 0}, near[2] = {0, 1.5};
+    const armtol_inverse_setup setup = {.arm = &two.arm, .near = near};
+    make_flat();
+    found.plane = plane_of(first, 1, 40);
+    found.plane.up[1] = 5;
+    find_poses(&setup);
+    const size_t all = check_reached(&setup);
+    memcpy(whole, found.q, sizeof whole);
+    memcpy(marks, found.marks, sizeof marks);
+    TEST_ASSERT_TRUE(share_rows(&setup, 3, HIGH - 3, results, q) == all);
+    TEST_ASSERT_TRUE(share_rows(&setup, 1, 2, results, q) < all);
+    TEST_ASSERT_TRUE(share_rows(&setup, 0, 1, results, q) == all);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_part(&setup, 0, POINTS, results, q));
+    TEST_ASSERT_EQUAL_INT(0, memcmp(marks, found.marks, sizeof marks));
+    for (size_t k = 0; k < POINTS * 2; k++) {
+        TEST_ASSERT_TRUE(isnan(whole[k]) ? isnan(found.q[k]) : memcmp(&whole[k], &found.q[k], sizeof *q) == 0);
+    }
+}
+
+static size_t count_of(const unsigned char results[], size_t n, unsigned char result)
+{
+    size_t count = 0;
+    for (size_t k = 0; k < n; k++) {
+        count += results[k] == result;
+    }
+    return count;
+}
+
+/* Beyond its points a part searches in the first point of all, and nowhere else; what is known is not searched again. */
+static void test_a_part_searches_in_its_own_points(void)
+{
+    static unsigned char results[POINTS];
+    const double first[3] = {-560, -520, 0}, near[2] = {0.3, 1.2};
+    const armtol_inverse_setup setup = {.arm = &two.arm, .near = near};
+    make_flat();
+    found.plane = plane_of(first, 1, 40);
+    memset(results, ARMTOL_MAP_NOT_SEARCHED, sizeof results);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_part(&setup, 0, 0, results, NULL));
+    TEST_ASSERT_TRUE(count_of(results, POINTS, ARMTOL_MAP_FOUND) == 1 && count_of(results, POINTS, ARMTOL_MAP_IN_VAIN) == 0);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_part(&setup, 0, WIDE, results, NULL));
+    TEST_ASSERT_EQUAL_UINT(10, count_of(results, WIDE, ARMTOL_MAP_IN_VAIN)); /* every third of 29, beyond the ring */
+    TEST_ASSERT_EQUAL_UINT(10, count_of(results, POINTS, ARMTOL_MAP_IN_VAIN));
+    memset(results, ARMTOL_MAP_IN_VAIN, sizeof results);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_part(&setup, 0, POINTS, results, NULL));
+    TEST_ASSERT_EQUAL_UINT(0, check_reached(&setup)); /* as it was told */
+}
+
 static bool end_at(void *context, size_t done, size_t total)
 {
     TEST_ASSERT_EQUAL_UINT(POINTS, total);
@@ -599,6 +676,8 @@ int main(void)
     RUN_TEST(test_a_seam_lies_where_the_arm_changes_its_elbow);
     RUN_TEST(test_the_axes_are_kept);
     RUN_TEST(test_the_arms_of_1987_go_their_own_way);
+    RUN_TEST(test_parts_of_two_pieces_are_the_whole);
+    RUN_TEST(test_a_part_searches_in_its_own_points);
     RUN_TEST(test_whoever_waits_can_end_it);
     RUN_TEST(test_a_plane_that_is_none);
     return UNITY_END();
