@@ -1,4 +1,4 @@
-# A verification in shards on one machine: make -j PROCESSES -f shards.mk QUESTION='puma560 ... --verify 1000000'
+# A verification, or a map, in shards on one machine: make -j PROCESSES -f shards.mk QUESTION='puma560 ... --verify 1000000'
 # What is there already is not drawn again.
 
 ARMTOL   = armtol

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""A verification in shards, by Dask: shards.py ARMTOL SHARDS WORKERS ARGUMENT... prints the merged answer.
+"""A verification, or a map, in shards, by Dask: shards.py ARMTOL SHARDS WORKERS ARGUMENT... prints the merged answer.
 
 A worker that dies takes its shard with it; Dask gives that shard to another one, and the tallies that are there are
 kept.

@@ -17,7 +17,24 @@
 #define ASKED "puma560", "--joints", "0,45,-90,0,45,0", "--degrees", "--accuracy", ".5,.5,.5,.01,.01,.01", \
               "--verify", "4", "--threads", "1"
 
-static const char *const shard[] = {ASKED, "--shard", "1/2", "--tally", "one", NULL};
+#define MAP "map", "scara", "--plane", "xy", "--range", "300..700,0..100", "--offset", "300", "--grid", "2,2", \
+            "--tolerances", "lengths=.1"
+
+/* What is asked, in shards: of arms, and of rows of a map. */
+typedef struct asked {
+    const char *const *shard, *const *second, *const *other; /* the first, the second, the first of another question */
+} asked;
+
+static const asked questions[] = {
+    {(const char *const[]){ASKED, "--shard", "1/2", "--tally", "one", NULL},
+     (const char *const[]){ASKED, "--shard", "2/2", "--tally", "two", NULL},
+     (const char *const[]){ASKED, "--seed", "5", "--shard", "1/2", "--tally", "one", NULL}},
+    {(const char *const[]){MAP, "--shard", "1/2", "--tally", "one", NULL},
+     (const char *const[]){MAP, "--shard", "2/2", "--tally", "two", NULL},
+     (const char *const[]){MAP, "--of", "dx", "--shard", "1/2", "--tally", "one", NULL}},
+};
+enum { KINDS = sizeof questions / sizeof questions[0] };
+
 static const char *const merge[] = {"merge", "one", "two", NULL};
 
 void setUp(void)
@@ -79,15 +96,15 @@ static void run_once(const char *folder, const char *const arguments[])
 }
 
 /* A folder with both shards, and the program started for the first one's. The old tally is another question's. */
-static string start_shard(void)
+static string start_shard(const asked *asked)
 {
     const string folder = folder_new(), path = string_of("%s/one", folder.text);
-    run_once(folder.text, (const char *const[]){ASKED, "--seed", "5", "--shard", "1/2", "--tally", "one", NULL});
+    run_once(folder.text, asked->other);
     file_read(path.text, &old_tally);
     unlink(path.text);
-    run_once(folder.text, shard);
+    run_once(folder.text, asked->shard);
     file_read(path.text, &new_tally);
-    faulted_start(&(faulted_setup){.program = TEST_ARMTOL, .arguments = shard, .folder = folder.text});
+    faulted_start(&(faulted_setup){.program = TEST_ARMTOL, .arguments = asked->shard, .folder = folder.text});
     return folder;
 }
 
@@ -104,10 +121,10 @@ static state check_run(const faulted_run *run, const char *folder, bool old, con
     return state;
 }
 
-static void test_disk_full_after_every_byte(void)
+static void fill_disk(const asked *asked)
 {
     static faulted_run run;
-    const string folder = start_shard();
+    const string folder = start_shard(asked);
     for (long room = 0; room <= (long)new_tally.length; room++) {
         const bool old = room % 2 == 0;
         const string what = string_of("room for %ld bytes", room);
@@ -122,11 +139,18 @@ static void test_disk_full_after_every_byte(void)
     printf("armtol, a tally: disk full after 0 to %zu bytes\n", new_tally.length);
 }
 
-static void test_every_call_fails(void)
+static void test_disk_full_after_every_byte(void)
+{
+    for (int i = 0; i < KINDS; i++) {
+        fill_disk(&questions[i]);
+    }
+}
+
+static void fail_calls(const asked *asked)
 {
     static const int errors[] = {EIO, ENOSPC, EDQUOT, EROFS, EACCES};
     static faulted_run run;
-    const string folder = start_shard();
+    const string folder = start_shard(asked);
     long calls = 0, kept = 0;
     for (size_t j = 0; j < sizeof errors / sizeof errors[0]; j++) {
         long n = 0;
@@ -143,10 +167,17 @@ static void test_every_call_fails(void)
     printf("armtol, a tally: %ld failing calls, the old one kept after %ld of them\n", calls, kept);
 }
 
-static void test_killed_before_every_call(void)
+static void test_every_call_fails(void)
+{
+    for (int i = 0; i < KINDS; i++) {
+        fail_calls(&questions[i]);
+    }
+}
+
+static void kill_at_calls(const asked *asked)
 {
     static faulted_run run;
-    const string folder = start_shard();
+    const string folder = start_shard(asked);
     for (int action = ACTION_KILL; action <= ACTION_HALF_KILL; action++) {
         long n = 0;
         do {
@@ -161,6 +192,13 @@ static void test_killed_before_every_call(void)
             TEST_ASSERT_TRUE_MESSAGE(run.status == 0 && state_of(folder.text, true, what.text) == STATE_NEW, what.text);
             run.outcome.happened = happened;
         } while (run.outcome.happened);
+    }
+}
+
+static void test_killed_before_every_call(void)
+{
+    for (int i = 0; i < KINDS; i++) {
+        kill_at_calls(&questions[i]);
     }
 }
 
@@ -186,16 +224,23 @@ static void lack_memory(const char *folder, bool all_after, bool writes)
     TEST_ASSERT_TRUE(n > 10);
 }
 
-static void test_memory_runs_out(void)
+static void run_out_of_memory(const asked *asked)
 {
-    const string folder = start_shard();
+    const string folder = start_shard(asked);
     lack_memory(folder.text, false, true);
     lack_memory(folder.text, true, true);
     lack_memory(folder.text, false, false); /* the tally is there */
-    run_once(folder.text, (const char *const[]){ASKED, "--shard", "2/2", "--tally", "two", NULL});
+    run_once(folder.text, asked->second);
     faulted_start(&(faulted_setup){.program = TEST_ARMTOL, .arguments = merge, .folder = folder.text});
     lack_memory(folder.text, false, false);
     lack_memory(folder.text, true, false);
+}
+
+static void test_memory_runs_out(void)
+{
+    for (int i = 0; i < KINDS; i++) {
+        run_out_of_memory(&questions[i]);
+    }
 }
 
 /* ---- reading ---- */

@@ -62,6 +62,12 @@ static int check_1987(command_line *line)
     return code;
 }
 
+static void check_shard(const cli_options *options)
+{
+    REQUIRE((options->shard != 0) == (options->tally != NULL) && (options->shard != 0) == (options->n_shards != 0));
+    REQUIRE(options->shard <= options->n_shards && options->n_shards <= MOST_SHARDS);
+}
+
 static void check_question(const cli_options *options)
 {
     const bool at = options->n_at > 0 || options->at_file != NULL;
@@ -72,8 +78,7 @@ static void check_question(const cli_options *options)
     REQUIRE(options->delta == NULL || options->method == ARMTOL_METHOD_SPHERE);
     REQUIRE(options->format != OUTPUT_CSV || (!options->budget && options->verify == 0));
     REQUIRE((!options->seed_given && options->threads == 0) || options->verify != 0);
-    REQUIRE((options->shard != 0) == (options->tally != NULL) && (options->shard != 0) == (options->n_shards != 0));
-    REQUIRE(options->shard <= options->n_shards && options->n_shards <= MOST_SHARDS);
+    check_shard(options);
     REQUIRE(options->n_shards <= options->verify);
     REQUIRE(options->cycles == 0 || (options->cycles >= 2 && options->verify != 0 && options->shard == 0));
 }
@@ -90,6 +95,8 @@ static void check_map(const command_line *line, const cli_options *options)
     REQUIRE(options->arm != NULL && map->plane != NULL && map->range != NULL);
     REQUIRE(map->grid == NULL || map->step == NULL);
     REQUIRE(options->format != OUTPUT_CSV && options->verify == 0 && !options->budget);
+    REQUIRE(options->threads == 0 || options->shard != 0);
+    check_shard(options);
 }
 
 static int check_armtol(command_line *line)

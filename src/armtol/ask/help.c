@@ -9,8 +9,8 @@ void cli_help(void)
          "       armtol ARM (--joints Q | --poses FILE | --at POSITION | --region R)\n"
          "              --tolerances FILE [OPTION]...\n"
          "       armtol ARM --at POSITION --branches\n"
-         "       armtol ARM ... --verify N --shard I/N --tally FILE | armtol merge FILE...\n"
          "       armtol map ARM --plane xz --range X0..X1,Z0..Z1 [OPTION]...\n"
+         "       armtol [map] ARM ... --shard I/N --tally FILE | armtol merge FILE...\n"
          "       armtol --list | armtol ARM --show | armtol ARM --links\n"
          "How precisely the parts of an arm have to be made for its tool to be as accurate\n"
          "as required; or how accurate it is with given tolerances. ARM is a name of\n"
@@ -99,9 +99,10 @@ void cli_help(void)
          "      --seed S, --threads T   which arms (default: 1987), on how many processors\n"
          "      --iso9283 [CYCLES]      let each come to each pose so many times (default:\n"
          "                              30): its pose accuracy AP and repeatability RP\n"
-         "      --shard I/N             draw shard I of N of them alone, anywhere, and\n"
-         "      --tally FILE            count them in FILE; armtol merge FILE... prints\n"
-         "                              what one process prints, from the tallies of all N\n");
+         "      --shard I/N             draw shard I of N of the arms, or of the rows of a\n"
+         "      --tally FILE            map, alone and anywhere, and write it to FILE;\n"
+         "                              armtol merge FILE... prints what one process\n"
+         "                              prints, from the tallies of all N\n");
     puts("      --plane xy|xz|yz        a map (armtol map ARM): the plane,\n"
          "      --offset Y              where on its third axis (default: 0),\n"
          "      --range A0..A1,B0..B1   from where to where,\n"

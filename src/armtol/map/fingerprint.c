@@ -52,7 +52,7 @@ static void take_arm(uint64_t *hash, const request *request)
         const armtol_drive *drive = &arm->drives[i];
         const double numbers[] = {link->a, link->alpha, link->d, link->theta, link->beta,
                                   drive->low, drive->high, drive->backlash, drive->compliance, drive->moment,
-                                  drive->resolution, drive->friction};
+                                  drive->resolution, drive->friction, drive->noise};
         take_word(hash, (uint64_t)link->kind);
         take_word(hash, (uint64_t)link->joint);
         take_numbers(hash, numbers, sizeof numbers / sizeof numbers[0]);
