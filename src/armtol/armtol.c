@@ -50,8 +50,9 @@ static int verify(const request *request, const armtol_answer *answer, const mer
     if (merged != NULL && !arms_are_of(merged, answer)) {
         return EXIT_WRONG;
     }
-    const armtol_status status = merged != NULL ? watched_tally_verify(answer, &draw, merged->content.arms, found, &fault)
-                                                : watched_verify(answer, &draw, found, &fault);
+    const armtol_status status = merged == NULL
+                                     ? watched_verify(answer, &draw, found, &fault)
+                                     : watched_tally_verify(answer, &draw, merged->content.arms, found, &fault);
     return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }
 

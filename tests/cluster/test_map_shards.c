@@ -129,7 +129,7 @@ static void check_split(const char *folder, const char *const question[], const 
         tallies[i] = names[i].text;
         unlink(path_in(folder, tallies[i]).text);
         draw_well(folder, drawn, split->shards[i], tallies[i]);
-        TEST_ASSERT_TRUE_MESSAGE(access(path_in(folder, "merged.tsv").text, F_OK) != 0, "a shard writes its tally alone");
+        TEST_ASSERT_TRUE_MESSAGE(access(path_in(folder, "merged.tsv").text, F_OK) != 0, "its tally alone");
     }
     merge(&merged, folder, tallies);
     text_check("", 0, &merged.errors, split->shards[0]);
@@ -286,8 +286,8 @@ static void test_what_is_shown_is_no_other_question(void)
     const string folder = folder_of_four();
     process whole, merged;
     unlink(path_in(folder.text, "1").text);
-    draw_well(folder.text, (const char *const[]){FLAT, "--grid", "3,4", LENGTHS, "--json", "--contour", "1", NULL}, "1/4",
-              "1");
+    draw_well(folder.text, (const char *const[]){FLAT, "--grid", "3,4", LENGTHS, "--json", "--contour", "1", NULL},
+              "1/4", "1");
     run_well(&whole, folder.text,
              (const char *const[]){"map", FLAT, "--grid", "3,4", LENGTHS, "--json", "--contour", "1", NULL});
     merge(&merged, folder.text, (const char *const[]){"3", "2", "1", "4", NULL});
@@ -458,7 +458,8 @@ static void test_a_shard_that_fails(void)
     file_write(path_in(folder.text, "slide.csv").text,
                "units: mm rad\njoint a alpha d theta\nd 0 0 1e308 0\ntheta 300 0 0 0\n");
     draw(&process, folder.text, (const char *const[]){"slide.csv", "--plane", "xy", "--range", "-600..600,-600..600",
-                                                      "--grid", "9,9", LENGTHS, "--joints", "1e308,0", NULL}, "1/2", "t");
+                                                      "--grid", "9,9", LENGTHS, "--joints", "1e308,0", NULL},
+         "1/2", "t");
     process_check_status(&process, 2, "no number");
     folder_check(folder.text, "slide.csv", "nothing is written");
 }

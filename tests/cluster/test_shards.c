@@ -512,7 +512,8 @@ static void test_wrong_options(void)
                 "--shard I/N and --tally FILE go together");
     check_usage((const char *const[]){ASKED, "--verify", "9", "--tally", "t", NULL},
                 "--shard I/N and --tally FILE go together");
-    check_usage((const char *const[]){ASKED, "--shard", "1/2", "--tally", "t", NULL}, "together, with --verify N or armtol map\n");
+    check_usage((const char *const[]){ASKED, "--shard", "1/2", "--tally", "t", NULL},
+                "together, with --verify N or armtol map\n");
     check_usage((const char *const[]){ASKED, "--verify", "9", "--shard", "1/10", "--tally", "t", NULL},
                 "--shard: more shards than arms to draw\n");
 }

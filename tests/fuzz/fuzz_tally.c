@@ -1,6 +1,7 @@
 /*
- * Tallies of a cluster, of arms and of rows of a map. The first byte says whether the file gets an end with the checksum that is right, so that what
- * is behind it is reached. What is taken for a tally is sound, and is itself when it is written and read again.
+ * Tallies of a cluster, of arms and of rows of a map. The first byte says whether the file gets an end with the
+ * checksum that is right, so that what is behind it is reached. What is taken for a tally is sound, and is itself when
+ * it is written and read again.
  */
 
 #include "fuzz/harness.h"

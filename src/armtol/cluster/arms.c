@@ -40,7 +40,7 @@ int arms_shard(const request *request, const armtol_answer *answer, size_t n_thr
 {
     const cli_options *options = request->options;
     const asked asked = {request, answer, n_threads};
-    tally_content content = {NULL};
+    tally_content content = {.arms = NULL};
     tally_head head = shard_head(options, &tally_of_arms, options->verify);
     head.numbers[0] = options->seed;
     find_fingerprints(answer, head.fingerprints);

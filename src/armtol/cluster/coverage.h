@@ -14,8 +14,8 @@ typedef struct covered {
 } covered;
 
 /*
- * Whether each of those that the head counts is in one range; else false, after a message for each range that meets another one and
- * for each that is missing, with the shards that would fill it. Puts the ranges in order.
+ * Whether each of those that the head counts is in one range; else false, after a message for each range that meets
+ * another one and for each that is missing, with the shards that would fill it. Puts the ranges in order.
  */
 bool coverage_check(covered ranges[], size_t n_ranges, const tally_head *head);
 

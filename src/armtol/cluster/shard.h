@@ -12,7 +12,7 @@ typedef struct shard {
     const void *asked;                      /* for it */
 } shard;
 
-/* The head of the command line's shard; its numbers and fingerprints are to be filled in. Its words are the options'. */
+/* The head of the command line's shard, but for its numbers and fingerprints. Its words are the options'. */
 tally_head shard_head(const cli_options *options, const tally_form *form, uint64_t total);
 
 /*

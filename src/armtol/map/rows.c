@@ -69,7 +69,7 @@ static bool check_size(const tally_head *head)
 int rows_shard(const map_plan *plan)
 {
     const cli_options *options = plan->request->options;
-    tally_content content = {NULL};
+    tally_content content = {.arms = NULL};
     tally_head head = shard_head(options, &tally_of_rows, plan->n[1]);
     head.numbers[ROWS_POINTS] = plan->n[0];
     head.numbers[ROWS_JOINTS] = joints_of(plan);
@@ -117,12 +117,13 @@ int rows_merge(const map_plan *plan, const merged *merged, map_found *found)
     if (!is_of(plan, merged)) {
         return EXIT_WRONG;
     }
-    const map_share share = {0, rows->n_points, calloc(rows->n_points, sizeof *share.searched), rows};
-    if (!enough_memory(share.searched != NULL)) {
+    unsigned char *searched = calloc(rows->n_points, sizeof *searched);
+    if (searched == NULL) {
+        out_of_memory();
         return EXIT_FAILED;
     }
-    take_searches(rows, share.searched);
-    const int code = map_find(plan, &share, found);
-    free(share.searched);
+    take_searches(rows, searched);
+    const int code = map_find(plan, &(map_share){0, rows->n_points, searched, rows}, found);
+    free(searched);
     return code;
 }

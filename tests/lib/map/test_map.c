@@ -602,7 +602,7 @@ static size_t count_of(const unsigned char results[], size_t n, unsigned char re
     return count;
 }
 
-/* Beyond its points a part searches in the first point of all, and nowhere else; what is known is not searched again. */
+/* Beyond its points a part searches in the first of all, and nowhere else; what is known is not searched again. */
 static void test_a_part_searches_in_its_own_points(void)
 {
     static unsigned char results[POINTS];
@@ -612,7 +612,8 @@ static void test_a_part_searches_in_its_own_points(void)
     found.plane = plane_of(first, 1, 40);
     memset(results, ARMTOL_MAP_NOT_SEARCHED, sizeof results);
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_part(&setup, 0, 0, results, NULL));
-    TEST_ASSERT_TRUE(count_of(results, POINTS, ARMTOL_MAP_FOUND) == 1 && count_of(results, POINTS, ARMTOL_MAP_IN_VAIN) == 0);
+    TEST_ASSERT_EQUAL_UINT(1, count_of(results, POINTS, ARMTOL_MAP_FOUND));
+    TEST_ASSERT_EQUAL_UINT(0, count_of(results, POINTS, ARMTOL_MAP_IN_VAIN));
     TEST_ASSERT_EQUAL_INT(ARMTOL_OK, find_part(&setup, 0, WIDE, results, NULL));
     TEST_ASSERT_EQUAL_UINT(10, count_of(results, WIDE, ARMTOL_MAP_IN_VAIN)); /* every third of 29, beyond the ring */
     TEST_ASSERT_EQUAL_UINT(10, count_of(results, POINTS, ARMTOL_MAP_IN_VAIN));
