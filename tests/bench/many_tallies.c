@@ -4,11 +4,10 @@
  * thousand take 2 MB more than ten, or more than a minute.
  */
 
-#include "armtol/armtol.h"
 #include "armtol/ask/arm_source.h"
 #include "armtol/ask/options.h"
 #include "armtol/ask/request.h"
-#include "armtol/cluster/tally_file.h"
+#include "armtol/cluster/shard.h"
 #include "console/message.h"
 
 #include <fcntl.h>
@@ -56,35 +55,35 @@ static void ask(char *arms)
          "no answer");
 }
 
-static void write_tally(tally_head *head, uint64_t shard, armtol_tally *tally)
+static void write_tally(tally_head *head, uint64_t shard, const tally_content *content)
 {
     head->shard = shard;
     const shard_range range = tally_head_range(head);
-    const armtol_draw draw = {.samples = range.count, .seed = head->seed};
-    need(armtol_tally_draw(asked.answer, &draw, range.first, tally, NULL) == ARMTOL_OK, "no arms");
+    const armtol_draw draw = {.samples = range.count, .seed = head->numbers[0]};
+    need(armtol_tally_draw(asked.answer, &draw, range.first, content->arms, NULL) == ARMTOL_OK, "no arms");
     FILE *stream = fopen(names[shard - 1], "wb");
     need(stream != NULL, "no file");
-    tally_file_write(stream, &(tally_content){head, tally});
+    tally_file_write(stream, &(tally_written){head, content});
     need(fclose(stream) == 0, "no room for a tally");
 }
 
 static void write_tallies(uint64_t n, uint64_t each)
 {
     static char arms[40];
-    armtol_tally *tally;
+    tally_content content = {.arms = NULL};
     snprintf(arms, sizeof arms, "--verify=%" PRIu64, n * each);
     ask(arms);
-    tally_head head = {.words = asked.options.words, .n_words = asked.options.n_words, .n_shards = n,
-                       .total = asked.options.verify, .seed = asked.options.seed};
-    snprintf(head.version, sizeof head.version, "%s", armtol_version());
+    tally_head head = shard_head(&asked.options, &tally_of_arms, asked.options.verify);
+    head.n_shards = n;
+    head.numbers[0] = asked.options.seed;
     for (size_t i = 0; i < ARMTOL_TALLY_SUBJECT_COUNT; i++) {
         head.fingerprints[i] = armtol_tally_fingerprint(asked.answer, (armtol_tally_subject)i);
     }
-    need(armtol_tally_create(&tally) == ARMTOL_OK, "no memory");
+    need(armtol_tally_create(&content.arms) == ARMTOL_OK, "no memory");
     for (uint64_t shard = 1; shard <= n; shard++) {
-        write_tally(&head, shard, tally);
+        write_tally(&head, shard, &content);
     }
-    armtol_tally_destroy(tally);
+    tally_content_free(&content);
 }
 
 /* ---- the merge ---- */

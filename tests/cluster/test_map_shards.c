@@ -73,17 +73,24 @@ static string path_in(const char *folder, const char *name)
     return string_of("%s/%s", folder, name);
 }
 
-/* Two links and tolerances of them, a boom with a mass and a drive, and a chain without joints. */
+/* Of golden's arms the one of that name, read and written anew. */
+static void put_arm(const char *folder, const char *name)
+{
+    process shown;
+    run_well(&shown, TEST_GOLDEN, (const char *const[]){name, "--show", NULL});
+    file_write(path_in(folder, name).text, shown.output.bytes);
+}
+
+/* Two links and tolerances of them, arms with masses, drives and a follower, and a chain without joints. */
 static string folder_of_arms(void)
 {
     const string folder = folder_new();
-    process shown;
     file_write(path_in(folder.text, "flat.csv").text,
                "units: mm rad\njoint a alpha d theta\ntheta 300 0 0 0\ntheta 200 0 0 0\n");
     file_write(path_in(folder.text, "t.csv").text, "link,parameter,tolerance\n0,a,inf\n");
     file_write(path_in(folder.text, "fixed.csv").text, "units: mm rad\njoint a alpha d theta\nfixed 300 0 0 0\n");
-    run_well(&shown, TEST_GOLDEN, (const char *const[]){"level.csv", "--show", NULL});
-    file_write(path_in(folder.text, "level.csv").text, shown.output.bytes);
+    put_arm(folder.text, "level.csv");
+    put_arm(folder.text, "palletizer.csv");
     return folder;
 }
 
@@ -204,6 +211,13 @@ static void test_any_split_of_an_arm_without_joints(void)
 {
     check_splits((const char *const[]){"fixed.csv", "--plane", "xy", "--range", "0..600,-60..60", "--grid", "5,5",
                                        "--tolerances", "lengths=.02", NULL}, "1 of 25 points reached");
+}
+
+/* A joint that follows another one. */
+static void test_any_split_of_coupled_joints(void)
+{
+    check_splits((const char *const[]){"palletizer.csv", "--plane", "xz", "--range", "-90..90,-20..90", "--grid", "7,5",
+                                       "--tolerances", "lengths=.002", "--of", "rotation", NULL}, "of 35 points");
 }
 
 /* ---- what does not fit ---- */
@@ -491,6 +505,7 @@ int main(void)
     RUN_TEST(test_any_split_without_a_bound);
     RUN_TEST(test_any_split_of_two_regions);
     RUN_TEST(test_any_split_of_an_arm_without_joints);
+    RUN_TEST(test_any_split_of_coupled_joints);
     RUN_TEST(test_missing_and_doubled);
     RUN_TEST(test_foreign_tallies);
     RUN_TEST(test_what_is_shown_is_no_other_question);
