@@ -1,14 +1,14 @@
 /*
- * Files of poses, of positions, and of tolerances or weights. The first byte says which; the second, for poses, how
- * many joints, and for parameters, which arm and what is asked of the table.
+ * Files of poses, of positions, of tolerances or weights, and what drawings say. The first byte says which; the second,
+ * for poses, how many joints, and for parameters and drawings, which arm and what is asked of the table.
  */
 
 #include "fuzz/harness.h"
 #include "fuzz/require.h"
 
-#include "armtol/lists/lists.h"
-
 #include "armtol/arm.h"
+#include "armtol/drawing/drawing_file.h"
+#include "armtol/lists/lists.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -75,6 +75,28 @@ static void check_parameters(FILE *stream, unsigned choice)
     }
 }
 
+static void check_drawn(const armtol_arm *arm, const drawing_row *row)
+{
+    REQUIRE(row->link < arm->n_links);
+    REQUIRE(isnan(row->distance) || (row->distance >= 0 && isfinite(row->distance)));
+    REQUIRE(isnan(row->angle) || (row->angle >= 0 && row->angle < 90));
+    REQUIRE(isnan(row->distance) == (row->split == DRAWING_SPLIT_NONE));
+}
+
+static void check_drawing(FILE *stream, unsigned choice)
+{
+    const armtol_arm *arm = armtol_arm_at(choice % armtol_arm_count());
+    const drawing_view view = {arm, "mm", "deg", 90};
+    drawing drawing;
+    const bool fine = drawing_read(stream, "drawing.csv", &view, &drawing);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    REQUIRE(drawing.n_rows <= arm->n_links);
+    for (size_t i = 0; i < drawing.n_rows; i++) {
+        check_drawn(arm, &drawing.rows[i]);
+    }
+    drawing_free(&drawing);
+}
+
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     (void)argc;
@@ -92,6 +114,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     caught_forget();
     if (data[0] == 'w') {
         check_wishes(stream);
+    } else if (data[0] == 'D') {
+        check_drawing(stream, data[1] - '0');
     } else if (data[0] % 2 == 0) {
         check_poses(stream, data[1] - '0');
     } else {

@@ -1,0 +1,53 @@
+#ifndef ARMTOL_DRAWING_DRAWING_FILE_H
+#define ARMTOL_DRAWING_DRAWING_FILE_H
+
+#include "armtol/arm.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdio.h>
+
+/* What a drawing says of the links of an arm: a table with a row a link (docs/drawing.md). */
+
+/* How the tolerance of a distance is shared: one of a and d has it and the other is exact, or both have the same. */
+typedef enum drawing_split { DRAWING_SPLIT_NONE, DRAWING_SPLIT_A, DRAWING_SPLIT_D, DRAWING_SPLIT_EVEN } drawing_split;
+
+/* "-", "a", "d", "even". */
+const char *drawing_split_name(drawing_split split);
+
+/* The split that a link has where none is named: NONE where there are two to choose from, or no distance at all. */
+drawing_split drawing_only_split(const armtol_link *link);
+
+/* Whether the link is one of parallel axes, whose distance is |a| whatever d is. */
+bool drawing_is_parallel(const armtol_link *link);
+
+/* One row, in the units of the file. */
+typedef struct drawing_row {
+    size_t link;
+    double distance;     /* nan where nothing is said */
+    double angle;        /* likewise */
+    drawing_split split; /* NONE where there is no distance, and only there */
+    size_t line;
+} drawing_row;
+
+typedef struct drawing {
+    size_t n_rows, room;
+    drawing_row *rows; /* no link twice */
+} drawing;
+
+/* In whose light the file is read. */
+typedef struct drawing_view {
+    const armtol_arm *arm;
+    const char *length_unit, *angle_unit; /* what a column `unit`, where there is one, has to say: "mm deg" */
+    double right_angle;                   /* in that unit; every angle is less */
+} drawing_view;
+
+/*
+ * A head row names the columns, in any order: link (number or name), distance, angle, split; others are passed over but
+ * for `unit`. A dash, or nothing, says nothing of a distance or an angle. *drawing is to be freed also after a message,
+ * which begins with FILE:LINE:COLUMN.
+ */
+bool drawing_read(FILE *stream, const char *path, const drawing_view *view, drawing *drawing);
+void drawing_free(drawing *drawing);
+
+#endif
