@@ -81,6 +81,7 @@ typedef struct armtol_answer {
     double *droops;     /* n_poses x 6: where that takes the tool, by the exact kinematics (tool_error.h) */
     double *remainders; /* n_poses x 6: what the exact error can differ from A's by */
     bool *given;        /* n_columns: a drive or the question gave the tolerance, with or without an accuracy */
+    bool *discs;        /* n_columns, the question's */
     double *held;       /* n_columns: the share of the optimum that the column's largest, or (negative) least, holds */
     size_t n_held;      /* the shares of norms, direction by direction; they sum up to what `binds` of the norms does */
     armtol_held_direction *held_directions; /* n_held, the largest share first */
@@ -126,8 +127,12 @@ typedef struct armtol_answer {
  *    or with ARMTOL_METHOD_RSS of |u'A s| + sigma sqrt(sum (u'A t)^2 / 3) <= limit: sigma standard deviations of every
  *    direction. It is found by cuts (cuts.c): to 1e-10 of the limit, and never beyond it. By method sphere there
  *    are no norms; given tolerances are held against them by any.
- * 7) The same question has the same answer to the bit on every machine with IEEE arithmetic.
- * 8) Questions may be answered on several threads at once. Memory comes from calloc and realloc; no other state is
+ * 7) Discs. Alpha and beta of a disc are off by no more than its radius together: with g that radius, they are good for
+ *    g sqrt(A_alpha^2 + A_beta^2) in the worst case of a row, and for g^2 / 4 each in a variance; a tolerance t of its
+ *    own is for |A| t and t^2 / 3. The worst case of a norm with discs is no less than the truth, and nearly
+ *    always to 1e-12 of it (farthest_round.c). The remainder is that of the square about the disc.
+ * 8) The same question has the same answer to the bit on every machine with IEEE arithmetic.
+ * 9) Questions may be answered on several threads at once. Memory comes from calloc and realloc; no other state is
  *    kept.
  *
  * Errors:
@@ -138,6 +143,8 @@ typedef struct armtol_answer {
  *    ARMTOL_NO_LINKS, ARMTOL_BAD_KIND, ARMTOL_BAD_JOINT, ARMTOL_NOT_FINITE  about the arm
  *    ARMTOL_NOT_FINITE      about a pose: a joint value that is not, or A overflows (an offset that is not finite too)
  *    ARMTOL_BAD_TOLERANCE   about the accuracy: a component that is not > 0; about tolerances: one that is not >= 0
+ *    ARMTOL_BAD_TOLERANCE   about discs: a column that is no alpha with a beta behind it, or whose two tolerances are
+ *                           not given, finite and the same
  *    ARMTOL_BAD_WEIGHT      about the weights: one that is not > 0 and finite
  *    ARMTOL_BAD_RANGE       about the ranges: not 0 <= least <= largest, the least finite; about the method: a range
  *                           that is not one value, by method sphere; a least that is not 0 where tolerances are given

@@ -49,7 +49,8 @@ typedef struct armtol_budget {
  *
  * Notes:
  * 1) The shares are those of the worst case, |A s| + |A| t. With method rss they are those of |A s| + sigma deviation,
- *    the second term shared out by the squares (A t)^2.
+ *    the second term shared out by the squares (A t)^2. Alpha and beta in a disc (note 7 of answer.h) are one source,
+ *    of the making of their link.
  * 2) Each component in the pose whose error is printed: where its worst case is largest (worst_pose) or, with method
  *    rss, its deviation (deviation_pose).
  * 3) A norm is shared out along the direction that it is largest in: worst_direction, with method rss spread_direction.

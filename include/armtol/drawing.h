@@ -7,7 +7,8 @@ ARMTOL_INTERFACE_BEGIN
 
 /*
  * What a drawing says of a part is how far its two axes are apart, r = sqrt(a^2 + d^2), and at what angle they stand.
- * Here the errors of parameters that the tolerances of these two allow; the way back is machining.h.
+ * Here the errors of parameters that the tolerances of these two allow, and the way back. (The report's own way back,
+ * Eqs (4.32) and (4.33), is machining.h: what it gives can allow the parameters more than they may be off.)
  *
  * Notes:
  * 1) A length has any unit, the same for all of a call; angles are in radians.
@@ -74,6 +75,39 @@ double armtol_drawing_angle_even(double tolerance);
  *    Hahn 1987, Eqs (4.18) and (4.19).
  */
 void armtol_drawing_angle_at(double tolerance, double phi, double *alpha, double *beta);
+
+/*
+ * The radius of the disc that holds all errors of alpha and beta which the tolerance of an angle allows: sqrt(2) times
+ * the even share, since the rim bulges most there, by tolerance^2 / 6 of it.
+ *
+ * Given:
+ *    tolerance   of the angle, 0 <= tolerance < pi/2
+ * Returned:
+ *    the radius: alpha^2 + beta^2 <= radius^2 for both of armtol_drawing_angle_at.
+ * Reference:
+ *    Hahn 1987, Eqs (4.17) to (4.19); the disc is ours.
+ */
+double armtol_drawing_radius(double tolerance);
+
+/*
+ * The way back: the largest tolerance of a drawing that allows no more than this. Ours.
+ *
+ * Given:
+ *    a, d        the lengths of the link as meant
+ *    error       what the error of a (of a and of d, which have the same; of alpha and beta together) may be, >= 0
+ * Returned:
+ *    armtol_drawing_distance         of the distance, d being exact: neither end of armtol_drawing_length is beyond
+ *                                    +-error
+ *    armtol_drawing_distance_both    likewise of armtol_drawing_length_both
+ *    armtol_drawing_angle            of the angle, at most 1.57: armtol_drawing_radius is not beyond the error
+ * Notes:
+ * 1) Found by halving, with the routines of the way there: so it keeps to the error to the last bit, and a tolerance
+ *    one bit larger does not (but for the 1.57).
+ * 2) nan where the error is, or is negative; infinite for distances where it is.
+ */
+double armtol_drawing_distance(double a, double d, double error);
+double armtol_drawing_distance_both(double a, double d, double error);
+double armtol_drawing_angle(double error);
 
 ARMTOL_INTERFACE_END
 

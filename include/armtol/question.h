@@ -50,6 +50,8 @@ typedef struct armtol_question {
     const armtol_loading *loading; /* NULL: armtol_loading_standard */
     bool drives_apart; /* the drives that the arm names, and what loads them, are in no error; else they are: note 3 of
                           answer.h */
+    const bool *discs; /* a column of A: this alpha moves with the beta behind it in a disc, whose radius is their
+                          tolerance: given, and the same; NULL: none do. Note 7 of answer.h */
 } armtol_question;
 
 /* What a failure is about, and the number that armtol_fault has of it. */
@@ -68,6 +70,7 @@ typedef enum armtol_subject {
     ARMTOL_ABOUT_LOADING,    /* gravity, force, share; or a payload */
     ARMTOL_ABOUT_ROW,        /* the row of A: 6 for each pose and load of the answer */
     ARMTOL_ABOUT_NORM_PLACE, /* the norm in a pose and load: n_norms for each of them */
+    ARMTOL_ABOUT_DISCS,      /* the column's */
     ARMTOL_SUBJECT_COUNT
 } armtol_subject;
 

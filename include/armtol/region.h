@@ -112,7 +112,8 @@ typedef enum armtol_region_fault {
     ARMTOL_REGION_NOT_FOUND, /* no pose was found in it, with as many boxes as there may be */
     ARMTOL_REGION_LOADED,    /* fault.number is the link: its drive is off by what depends on the pose */
     ARMTOL_REGION_METHOD,    /* by ARMTOL_METHOD_SPHERE tolerances are of poses */
-    ARMTOL_REGION_GAP        /* not within its limits */
+    ARMTOL_REGION_GAP,       /* not within its limits */
+    ARMTOL_REGION_DISCS      /* the bound is of tolerances that are each of their own */
 } armtol_region_fault;
 
 /*
@@ -150,7 +151,7 @@ typedef enum armtol_region_fault {
  * Errors:
  *    those of armtol_answer_create; ARMTOL_BAD_RANGE where *why is ARMTOL_REGION_RANGE, ARMTOL_REGION_SHAPE or
  *    ARMTOL_REGION_GAP; ARMTOL_OUT_OF_REACH for ARMTOL_REGION_EMPTY, ARMTOL_NOT_SOLVED for ARMTOL_REGION_NOT_FOUND;
- *    ARMTOL_BAD_LOAD for ARMTOL_REGION_LOADED; ARMTOL_BAD_QUESTION for ARMTOL_REGION_METHOD;
+ *    ARMTOL_BAD_LOAD for ARMTOL_REGION_LOADED; ARMTOL_BAD_QUESTION for ARMTOL_REGION_METHOD and ARMTOL_REGION_DISCS;
  *    ARMTOL_UNBOUNDED about an accuracy or a norm that depends on a tolerance without a bound
  *
  * Reference:

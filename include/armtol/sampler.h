@@ -32,6 +32,7 @@ typedef struct armtol_sampled_link {
     double tolerances[ARMTOL_PARAMETER_COUNT];
     size_t columns[ARMTOL_PARAMETER_COUNT];
     uint64_t steps[ARMTOL_PARAMETER_COUNT]; /* of the generator, from an arm's first draw on */
+    double disc; /* the radius of the disc that alpha and beta are drawn in; 0 where there is none */
 } armtol_sampled_link;
 
 typedef struct armtol_sampler {
@@ -76,6 +77,21 @@ armtol_status armtol_sampler_start(armtol_sampler *sampler, armtol_sampled_link 
  * checked. So arms can be drawn about joint values that loads have shifted, and held against the arm as meant.
  */
 void armtol_sampler_aim(armtol_sampler *sampler, const armtol_link meant[]);
+
+/*
+ * Draw some alphas in discs, with the betas behind them.
+ *
+ * Given:
+ *    sampler     started; it draws from `prepared` on as said here
+ *    prepared    what it was started with
+ *    discs       n_columns: true for an alpha that has a beta behind it, of the same tolerance: the radius of a disc in
+ *                which the point (alpha, beta) is even
+ *
+ * Notes:
+ * 1) The draws of the two columns are the point's place in the disc's area, from the middle on, and its direction: they
+ *    too depend on the seed, the arm and the columns alone, and their bits on no machine.
+ */
+void armtol_sampler_discs(const armtol_sampler *sampler, armtol_sampled_link prepared[], const bool discs[]);
 
 /*
  * One draw.

@@ -64,8 +64,17 @@
 #define columns_check armtol_private_columns_check
 #define columns_of_link armtol_private_columns_of_link
 #define cosine_of armtol_private_cosine_of
+#define discs_corner armtol_private_discs_corner
+#define discs_count armtol_private_discs_count
+#define discs_have armtol_private_discs_have
+#define discs_rss armtol_private_discs_rss
+#define discs_rss_part armtol_private_discs_rss_part
+#define discs_worst armtol_private_discs_worst
+#define discs_worst_part armtol_private_discs_worst_part
 #define draw_arms armtol_private_draw_arms
 #define farthest_of_ellipsoid armtol_private_farthest_of_ellipsoid
+#define farthest_round armtol_private_farthest_round
+#define farthest_round_workspace armtol_private_farthest_round_workspace
 #define farthest_vertex armtol_private_farthest_vertex
 #define fault_of armtol_private_fault_of
 #define kernels_avx2 armtol_private_kernels_avx2
@@ -78,6 +87,9 @@
 #define map_answers armtol_private_map_answers
 #define map_blocks armtol_private_map_blocks
 #define map_is_left_out armtol_private_map_is_left_out
+#define norm_discs_rss armtol_private_norm_discs_rss
+#define norm_discs_workspace armtol_private_norm_discs_workspace
+#define norm_discs_worst armtol_private_norm_discs_worst
 #define pose_link_of armtol_private_pose_link_of
 #define question_check armtol_private_question_check
 #define question_check_columns armtol_private_question_check_columns

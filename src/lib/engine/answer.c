@@ -7,6 +7,8 @@
 #include "lib/engine/parts.h"
 #include "lib/engine/place.h"
 #include "lib/norms/answer_norms.h"
+#include "lib/norms/discs.h"
+#include "lib/norms/norm_discs.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -17,10 +19,12 @@ static void predict_component(const armtol_answer *answer, size_t pose, size_t i
 {
     const double *matrix = armtol_answer_matrix(answer, pose), *bounded = armtol_answer_bounded(answer, pose);
     const size_t n = answer->n_columns;
+    const double *row = matrix + i * n;
+    const bool *discs = answer->discs;
     const bool has_bound = isfinite(armtol_worst_error(matrix, n, i, answer->tolerances));
     const double shift = fabs(armtol_answer_shift(answer, pose, i));
-    const double worst = has_bound ? shift + armtol_worst_error(matrix, n, i, bounded) : (double)INFINITY;
-    const double deviation = has_bound ? armtol_rss_error(matrix, n, i, bounded) / sqrt(3) : (double)INFINITY;
+    const double worst = has_bound ? shift + discs_worst(row, n, bounded, discs) : (double)INFINITY;
+    const double deviation = has_bound ? discs_rss(row, n, bounded, discs) / sqrt(3) : (double)INFINITY;
     if (worst > component->worst) {
         component->worst_pose = pose;
     }
@@ -70,10 +74,11 @@ static bool get_memory(armtol_answer *answer)
     answer->remainders = calloc(n_poses, 6 * sizeof *answer->remainders);
     answer->given = calloc(n, sizeof *answer->given);
     answer->held = calloc(n, sizeof *answer->held);
+    answer->discs = calloc(n, sizeof *answer->discs);
     answer->parts = calloc(answer->n_links, sizeof *answer->parts);
     return answer->tolerances != NULL && answer->bounded != NULL && answer->shifts != NULL && answer->moments != NULL &&
            answer->arrivals != NULL && answer->droops != NULL && answer->remainders != NULL &&
-           answer->given != NULL && answer->held != NULL && answer->parts != NULL;
+           answer->given != NULL && answer->held != NULL && answer->discs != NULL && answer->parts != NULL;
 }
 
 /* What is said of a column counts in every pose, unless a drive has told it and it is no more than that. */
@@ -101,6 +106,13 @@ static void take_given(armtol_answer *answer, const armtol_question *question)
     }
 }
 
+static void take_discs(armtol_answer *answer, const armtol_question *question)
+{
+    for (size_t k = 0; k < answer->n_columns && question->discs != NULL; k++) {
+        answer->discs[k] = question->discs[k];
+    }
+}
+
 static armtol_fault find_others(armtol_answer *answer, const armtol_question *question)
 {
     const armtol_fault fault = answer_find_tolerances(answer, question);
@@ -121,6 +133,7 @@ static armtol_fault take_tolerances(armtol_answer *answer, const armtol_question
     }
     if (fault.status == ARMTOL_OK) {
         take_given(answer, question);
+        take_discs(answer, question);
     }
     return fault.status == ARMTOL_OK && question->tolerances == NULL ? find_others(answer, question) : fault;
 }
@@ -128,7 +141,8 @@ static armtol_fault take_tolerances(armtol_answer *answer, const armtol_question
 static armtol_fault conclude(armtol_answer *answer, const armtol_question *question)
 {
     double *reach = calloc(answer->n_columns, sizeof *reach);
-    double *workspace = calloc(armtol_norm_workspace(answer->n_columns), sizeof *workspace);
+    const size_t n_discs = discs_count(answer->discs, answer->n_columns);
+    double *workspace = calloc(norm_discs_workspace(answer->n_columns, n_discs), sizeof *workspace);
     if (reach == NULL || workspace == NULL) {
         free(reach);
         free(workspace);
@@ -205,6 +219,7 @@ void armtol_answer_destroy(armtol_answer *answer)
         free(answer->given);
         free(answer->held);
         free(answer->held_directions);
+        free(answer->discs);
         free(answer->parts);
         free(answer);
     }

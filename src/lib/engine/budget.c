@@ -1,6 +1,7 @@
 #include "armtol/budget.h"
 
 #include "lib/norms/answer_norms.h"
+#include "lib/norms/discs.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -54,8 +55,10 @@ static told told_of(const armtol_answer *answer, size_t measure, double row[])
 /* What a column's tolerance puts into it: a magnitude, or its square. */
 static double contribution(const told *told, size_t column)
 {
-    const double error = fabs(told->row[column]) * armtol_answer_bounded(told->answer, told->pose)[column];
-    return told->answer->method == ARMTOL_METHOD_RSS ? error * error : error;
+    const armtol_answer *answer = told->answer;
+    const double *bounded = armtol_answer_bounded(answer, told->pose);
+    return answer->method == ARMTOL_METHOD_RSS ? discs_rss_part(told->row, column, bounded, answer->discs)
+                                               : discs_worst_part(told->row, column, bounded, answer->discs);
 }
 
 /* What its shift does, positive where it adds to the whole. */

@@ -93,6 +93,31 @@ static bool is_range(const armtol_question *question, size_t column)
     return least >= 0 && isfinite(least) && least <= question_largest(question, column);
 }
 
+/* Whether a column is an alpha with the beta of the same link behind it. */
+static bool has_beta_behind(const armtol_arm *arm, size_t column)
+{
+    size_t count = 0, left = column;
+    const armtol_parameter *parameters = NULL;
+    for (size_t i = 0; i < arm->n_links && left >= count; i++) {
+        left -= count;
+        parameters = armtol_kind_parameters(arm->links[i].kind, &count);
+    }
+    return left + 1 < count && parameters[left] == ARMTOL_ALPHA && parameters[left + 1] == ARMTOL_BETA;
+}
+
+/* Both are given, with the same tolerance. */
+static bool is_disc(const armtol_question *question, size_t k)
+{
+    if (!has_beta_behind(question->arm, k)) {
+        return false;
+    }
+    if (question->tolerances != NULL) {
+        return question->tolerances[k] == question->tolerances[k + 1] && isfinite(question->tolerances[k]);
+    }
+    return question_gives(question, k) && question_gives(question, k + 1) &&
+           question_least(question, k) == question_least(question, k + 1);
+}
+
 armtol_fault question_check_columns(const armtol_question *question, size_t n_columns)
 {
     for (size_t k = 0; k < n_columns; k++) {
@@ -104,6 +129,9 @@ armtol_fault question_check_columns(const armtol_question *question, size_t n_co
         }
         if (!is_range(question, k)) {
             return fault_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_RANGES, k);
+        }
+        if (question->discs != NULL && question->discs[k] && !is_disc(question, k)) {
+            return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_DISCS, k);
         }
     }
     return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);

@@ -8,8 +8,10 @@
 
 /*
  * The worst corner of every component and norm, the largest of all poses, what has no bound counting as exact. False
- * where it was ended early: what was found until then is there. errors has two places a column.
+ * where it was ended early: what was found until then is there. workspace has SEARCH_WORKSPACE places a column.
  */
-bool search_corners(const armtol_answer *answer, const armtol_draw *draw, double errors[], armtol_verification *found);
+enum { SEARCH_WORKSPACE = 4 };
+bool search_corners(const armtol_answer *answer, const armtol_draw *draw, double workspace[],
+                    armtol_verification *found);
 
 #endif

@@ -202,6 +202,9 @@ armtol_status draw_start_sampler(const armtol_answer *answer, size_t pose, const
     const armtol_status status =
         armtol_sampler_start(sampler, links, answer->loaded ? shifted : meant, answer->n_links,
                              tolerances, answer->n_columns, &answer->tool, seed);
+    if (status == ARMTOL_OK) {
+        armtol_sampler_discs(sampler, links, answer->discs);
+    }
     if (status == ARMTOL_OK && answer->loaded) {
         armtol_sampler_aim(sampler, meant);
     }

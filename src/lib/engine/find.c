@@ -1,11 +1,11 @@
 #include "lib/engine/find.h"
 
-#include "armtol/corners.h"
 #include "armtol/optimum.h"
 #include "armtol/sphere.h"
 #include "lib/engine/check.h"
 #include "lib/engine/parts.h"
 #include "lib/norms/cuts.h"
+#include "lib/norms/discs.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -168,9 +168,9 @@ static double left_of(const rows *rows, const armtol_answer *answer, size_t row,
     }
     const double left = accuracy - fabs(shift);
     if (answer->method != ARMTOL_METHOD_RSS) {
-        return left - armtol_worst_error(whole, n, 0, given);
+        return left - discs_worst(whole, n, given, answer->discs);
     }
-    const double limit = left * sqrt(3) / answer->sigma, used = armtol_rss_error(whole, n, 0, given);
+    const double limit = left * sqrt(3) / answer->sigma, used = discs_rss(whole, n, given, answer->discs);
     return used == 0 ? limit : used < limit ? sqrt(limit - used) * sqrt(limit + used) : limit - used;
 }
 

@@ -38,6 +38,16 @@ static void take_arm(uint64_t *hash, const armtol_answer *answer)
     }
 }
 
+/* Without discs the hash is that of tallies of before there were any. */
+static void take_discs(uint64_t *hash, const armtol_answer *answer)
+{
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (answer->discs[k]) {
+            take_word(hash, k);
+        }
+    }
+}
+
 static void take_limits(uint64_t *hash, const armtol_answer *answer)
 {
     tally_limits limits;
@@ -63,6 +73,7 @@ uint64_t armtol_tally_fingerprint(const armtol_answer *answer, armtol_tally_subj
         break;
     case ARMTOL_TALLY_TOLERANCES:
         take_numbers(&hash, answer->bounded, answer->n_poses * answer->n_columns);
+        take_discs(&hash, answer);
         break;
     case ARMTOL_TALLY_LOADS:
         take_numbers(&hash, answer->shifts, answer->n_poses * answer->n_columns);

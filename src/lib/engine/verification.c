@@ -121,12 +121,12 @@ void verification_report(const armtol_answer *answer, const tally *tally, const 
 /* Corners; *all says whether none was left out. */
 static armtol_status search(const armtol_answer *answer, const armtol_draw *draw, armtol_verification *found, bool *all)
 {
-    double *errors = calloc(answer->n_columns, 2 * sizeof *errors);
-    if (errors == NULL) {
+    double *workspace = calloc(answer->n_columns, SEARCH_WORKSPACE * sizeof *workspace);
+    if (workspace == NULL) {
         return ARMTOL_NO_MEMORY;
     }
-    *all = search_corners(answer, draw, errors, found);
-    free(errors);
+    *all = search_corners(answer, draw, workspace, found);
+    free(workspace);
     return ARMTOL_OK;
 }
 

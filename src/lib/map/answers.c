@@ -4,6 +4,7 @@
 #include "armtol/corners.h"
 #include "lib/engine/check.h"
 #include "lib/map/values.h"
+#include "lib/norms/discs.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -50,6 +51,7 @@ static bool leave_tolerances_out(put *put)
     put->exact = calloc(n + 1, sizeof *put->exact);
     put->question.tolerances = put->exact;
     put->question.accuracy = put->question.least = put->question.largest = NULL;
+    put->question.discs = NULL;
     return put->exact != NULL;
 }
 
@@ -80,7 +82,7 @@ static double of_component(const put *put, const armtol_answer *answer, size_t p
     if (!isfinite(armtol_worst_error(matrix, n, i, answer->tolerances))) {
         return (double)INFINITY;
     }
-    const double half = armtol_worst_error(matrix, n, i, armtol_answer_bounded(answer, pose));
+    const double half = discs_worst(matrix + i * n, n, armtol_answer_bounded(answer, pose), answer->discs);
     return put->map.value == ARMTOL_MAP_REPEATABILITY ? half : fabs(armtol_answer_shift(answer, pose, i)) + half;
 }
 

@@ -3,6 +3,7 @@
 #include "armtol/error_matrix.h"
 #include "lib/engine/check.h"
 #include "lib/map/values.h"
+#include "lib/norms/discs.h"
 
 #include <math.h>
 
@@ -70,8 +71,9 @@ static armtol_fault find(const armtol_question *question, const armtol_map *map,
     if (fault.status != ARMTOL_OK) {
         return fault;
     }
-    return is_without_drives(question) && all_bounded(question, n) ? map_blocks(question, map, values)
-                                                                    : map_answers(question, map, values);
+    const bool boxes = discs_count(question->discs, n) == 0 && all_bounded(question, n);
+    return is_without_drives(question) && boxes ? map_blocks(question, map, values)
+                                                : map_answers(question, map, values);
 }
 
 armtol_status armtol_map_values(const armtol_question *question, const armtol_map *map, double values[],

@@ -1,5 +1,7 @@
 #include "lib/norms/answer_norms.h"
 
+#include "lib/norms/norm_discs.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdbool.h>
@@ -56,8 +58,9 @@ static void predict_worst(const armtol_answer *answer, size_t pose, armtol_predi
 {
     const double *matrix = armtol_answer_matrix(answer, pose), *bounded = armtol_answer_bounded(answer, pose);
     double direction[6];
-    const double worst = armtol_worst_norm(matrix, answer->n_columns, norm->components,
-                                           armtol_answer_shifts(answer, pose), bounded, direction, workspace);
+    const double worst = norm_discs_worst(matrix, answer->n_columns, norm->components,
+                                          armtol_answer_shifts(answer, pose), bounded, answer->discs, direction,
+                                          workspace);
     if (worst > norm->of.worst) {
         norm->of.worst = worst;
         norm->of.worst_pose = pose;
@@ -70,9 +73,10 @@ static void predict_spread(const armtol_answer *answer, size_t pose, armtol_pred
     const double *matrix = armtol_answer_matrix(answer, pose), *bounded = armtol_answer_bounded(answer, pose);
     const size_t n = answer->n_columns;
     double direction[6];
-    const double deviation = armtol_rss_norm(matrix, n, norm->components, NULL, bounded, 1 / sqrt(3), direction);
-    const double spread = armtol_rss_norm(matrix, n, norm->components, armtol_answer_shifts(answer, pose), bounded,
-                                          answer->sigma / sqrt(3), direction);
+    const double deviation = norm_discs_rss(matrix, n, norm->components, NULL, bounded, answer->discs, 1 / sqrt(3),
+                                            direction);
+    const double spread = norm_discs_rss(matrix, n, norm->components, armtol_answer_shifts(answer, pose), bounded,
+                                         answer->discs, answer->sigma / sqrt(3), direction);
     norm->of.deviation = fmax(norm->of.deviation, deviation);
     if (spread > norm->spread) {
         norm->spread = spread;

@@ -9,7 +9,7 @@ void answer_take_norms(armtol_answer *answer, const armtol_question *question);
 
 /*
  * What the answer's tolerances make of its norms in a pose, the most of all so far; `rounding` is that of the six
- * components there (armtol_rounding), and workspace that of armtol_worst_norm.
+ * components there (armtol_rounding), and workspace that of norm_discs_worst.
  */
 void answer_predict_norms(armtol_answer *answer, size_t pose, const double rounding[6], double workspace[]);
 

@@ -1,5 +1,8 @@
 #include "lib/norms/cuts.h"
 
+#include "lib/norms/discs.h"
+#include "lib/norms/norm_discs.h"
+
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
@@ -71,8 +74,9 @@ static bool add_axes(cuts *cuts, const armtol_answer *answer, size_t norm, size_
 bool cuts_start(cuts *cuts, const armtol_answer *answer)
 {
     *cuts = (struct cuts){0};
-    cuts->workspace = calloc(armtol_norm_workspace(answer->n_columns), sizeof *cuts->workspace);
-    cuts->trial = calloc(answer->n_columns, sizeof *cuts->trial);
+    cuts->workspace = calloc(norm_discs_workspace(answer->n_columns, discs_count(answer->discs, answer->n_columns)),
+                             sizeof *cuts->workspace);
+    cuts->trial = calloc(answer->n_columns, 2 * sizeof *cuts->trial);
     bool fine = cuts->workspace != NULL && cuts->trial != NULL;
     for (size_t i = 0; i < answer->n_norms * answer->n_poses && fine; i++) {
         const size_t norm = i % answer->n_norms;
@@ -95,9 +99,10 @@ double cuts_norm(const cuts *cuts, const armtol_answer *answer, size_t norm, siz
     const double *matrix = armtol_answer_matrix(answer, pose), *shifts = armtol_answer_shifts(answer, pose);
     const unsigned components = answer->norms[norm].components;
     const size_t n = answer->n_columns;
+    const bool *discs = answer->discs;
     return answer->method == ARMTOL_METHOD_RSS
-               ? armtol_rss_norm(matrix, n, components, shifts, tolerances, answer->sigma / sqrt(3), direction)
-               : armtol_worst_norm(matrix, n, components, shifts, tolerances, direction, cuts->workspace);
+               ? norm_discs_rss(matrix, n, components, shifts, tolerances, discs, answer->sigma / sqrt(3), direction)
+               : norm_discs_worst(matrix, n, components, shifts, tolerances, discs, direction, cuts->workspace);
 }
 
 bool cuts_is_seen(const armtol_answer *answer, size_t norm, size_t pose, const bool columns[])
@@ -123,6 +128,28 @@ static const double *try_in_pose(const cuts *cuts, const armtol_answer *answer, 
     return cuts->trial;
 }
 
+/* What a norm is along its direction: with discs it may be told as more, and a cut there would cut nothing. */
+static double along(const cuts *cuts, const armtol_answer *answer, size_t pose, const double trial[],
+                    const double direction[6])
+{
+    const double *shifts = armtol_answer_shifts(answer, pose);
+    double *const row = cuts->trial + answer->n_columns, shift = 0;
+    armtol_norm_row(armtol_answer_matrix(answer, pose), answer->n_columns, direction, row);
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        shift += row[k] * shifts[k];
+    }
+    return fabs(shift) + discs_worst(row, answer->n_columns, trial, answer->discs);
+}
+
+static bool is_beyond(const cuts *cuts, const armtol_answer *answer, size_t norm, size_t pose, const double trial[],
+                      double direction[6])
+{
+    const double limit = answer->norms[norm].limit * (1 + slack);
+    const bool exact = answer->method == ARMTOL_METHOD_RSS || discs_count(answer->discs, answer->n_columns) == 0;
+    return cuts_norm(cuts, answer, norm, pose, trial, direction) > limit &&
+           (exact || along(cuts, answer, pose, trial, direction) > limit);
+}
+
 bool cuts_add(cuts *cuts, const armtol_answer *answer, const bool asked[], const double tolerances[], size_t *added)
 {
     *added = 0;
@@ -133,7 +160,7 @@ bool cuts_add(cuts *cuts, const armtol_answer *answer, const bool asked[], const
             continue;
         }
         const double *trial = try_in_pose(cuts, answer, pose, asked, tolerances);
-        if (cuts_norm(cuts, answer, norm, pose, trial, direction) > answer->norms[norm].limit * (1 + slack)) {
+        if (is_beyond(cuts, answer, norm, pose, trial, direction)) {
             if (!add(cuts, answer, norm, pose, direction)) {
                 return false;
             }

@@ -19,7 +19,7 @@ typedef struct cuts {
     cut *cuts;
     double *rows; /* count x n_columns: u'A of each */
     size_t count, room;
-    double *workspace, *trial; /* of armtol_worst_norm; a place a column */
+    double *workspace, *trial; /* of norm_discs_worst; two places a column */
 } cuts;
 
 /* Along the axes of each norm that asks for something, in each pose: they bound what it does. False without memory. */

@@ -1,5 +1,7 @@
 #include "lib/norms/farthest_vertex.h"
 
+#include "lib/norms/farthest_ellipsoid.h"
+
 #include <math.h>
 #include <stdbool.h>
 #include <stdlib.h>
@@ -10,7 +12,8 @@
  *    Every vertex is sum sign(u.g_k) g_k for some direction u. The great circles u.g_k = 0 part the sphere of
  *    directions into cells, a vertex each. The border of a cell is made of arcs, each on the circle of some g_i. So a
  *    direction that turns once about each g_i passes along all cells: beside an arc the signs are those of the arc, and
- *    that of g_i is + on one side and - on the other. A generator parallel to g_i goes with it.
+ *    that of g_i is + on one side and - on the other. A generator parallel to g_i goes with it. The farthest sum of a
+ *    vertex and a point of an ellipsoid is, of one of the vertices, the farthest point of the ellipsoid about it.
  *
  * Special cases
  *    Generators in a plane need one turn, about what is across it. Signs of 0 are +.
@@ -71,6 +74,8 @@ static double sign_of(double value)
 typedef struct turn {
     const double *generators;
     size_t count;
+    const double (*ellipsoid)[3]; /* NULL: none */
+    double reach;                 /* no point of the ellipsoid is farther from its center */
     double first[3], second[3]; /* across the axis, and across each other */
     double along[3];            /* the sum of the generators that go with the axis */
     double at[3];               /* the sum of all others */
@@ -122,6 +127,13 @@ static void keep_farthest(const turn *turn, double vertex[3])
         double point[3];
         memcpy(point, turn->at, sizeof point);
         add(point, sign, turn->along);
+        if (turn->ellipsoid != NULL) {
+            if (sqrt(dot(point, point)) + turn->reach <= sqrt(dot(vertex, vertex))) {
+                continue;
+            }
+            const double center[3] = {point[0], point[1], point[2]};
+            farthest_of_ellipsoid(turn->ellipsoid, center, point);
+        }
         if (dot(point, point) > dot(vertex, vertex)) {
             memcpy(vertex, point, sizeof point);
         }
@@ -146,29 +158,48 @@ static void turn_about(turn *turn, const double axis[3], double vertex[3])
     }
 }
 
+/* The point of the ellipsoid in a direction. */
+static void add_ellipsoid(const double ellipsoid[3][3], const double direction[3], double point[3])
+{
+    double pulled[3];
+    for (int i = 0; i < 3; i++) {
+        pulled[i] = dot(ellipsoid[i], direction);
+    }
+    const double square = dot(pulled, direction);
+    add(point, square > 0 ? 1 / sqrt(square) : 0, pulled);
+}
+
 /* Each sign as the vertex itself wants it: that makes it no shorter. False where it gains nothing. */
-static bool put_right(const double generators[], size_t count, double vertex[3])
+static bool put_right(const turn *turn, double vertex[3])
 {
     double point[3] = {0, 0, 0};
-    for (size_t k = 0; k < count; k++) {
-        add(point, sign_of(dot(vertex, generators + 3 * k)), generators + 3 * k);
+    for (size_t k = 0; k < turn->count; k++) {
+        add(point, sign_of(dot(vertex, turn->generators + 3 * k)), turn->generators + 3 * k);
+    }
+    if (turn->ellipsoid != NULL) {
+        add_ellipsoid(turn->ellipsoid, vertex, point);
     }
     const bool farther = dot(point, point) > dot(vertex, vertex);
     memcpy(vertex, point, sizeof point);
     return farther;
 }
 
-void farthest_vertex(const double generators[], size_t count, int flat, crossing crossings[], double vertex[3])
+void farthest_vertex(const double generators[], size_t count, int flat, const double (*ellipsoid)[3],
+                     crossing crossings[], double vertex[3])
 {
     enum { MOST_ROUNDS = 64 };
     const double across[3] = {flat == 0, flat == 1, flat == 2};
-    turn turn = {.generators = generators, .count = count, .crossings = crossings};
+    turn turn = {.generators = generators, .count = count, .ellipsoid = ellipsoid, .crossings = crossings};
+    if (ellipsoid != NULL) {
+        turn.reach = sqrt(ellipsoid[0][0] + ellipsoid[1][1] + ellipsoid[2][2]);
+    }
     memset(vertex, 0, 3 * sizeof *vertex);
+    keep_farthest(&turn, vertex); /* where there is no generator, the ellipsoid's */
     for (size_t i = 0; i < (flat >= 0 ? 1 : count); i++) {
         const double *axis = flat >= 0 ? across : generators + 3 * i;
         span_plane(&turn, axis);
         turn_about(&turn, axis, vertex);
     }
-    for (int round = 0; round < MOST_ROUNDS && put_right(generators, count, vertex); round++) {
+    for (int round = 0; round < MOST_ROUNDS && put_right(&turn, vertex); round++) {
     }
 }

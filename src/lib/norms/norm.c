@@ -1,6 +1,8 @@
-#include "armtol/norm.h"
+#include "lib/norms/norm_discs.h"
 
+#include "lib/norms/discs.h"
 #include "lib/norms/farthest_ellipsoid.h"
+#include "lib/norms/farthest_round.h"
 #include "lib/norms/farthest_vertex.h"
 
 #include <math.h>
@@ -87,6 +89,7 @@ typedef struct sight {
     size_t n_columns;
     unsigned components;
     const double *shifts, *tolerances;
+    const bool *discs;
     double scale;     /* the largest number among shift and columns times tolerances */
     double center[3]; /* A shifts, in scales */
 } sight;
@@ -160,15 +163,36 @@ size_t armtol_norm_workspace(size_t n_columns)
     return 6 * (n_columns + 1);
 }
 
+size_t norm_discs_workspace(size_t n_columns, size_t n_discs)
+{
+    const size_t of_ellipses = n_discs * sizeof(ellipse) / sizeof(double);
+    return armtol_norm_workspace(n_columns) +
+           (n_discs > 0 ? of_ellipses + farthest_round_workspace(n_columns + 1, n_discs) : 0);
+}
+
 /* Generators, the center as one of them; returns how many. */
 static size_t gather(const sight *sight, double generators[])
 {
     size_t n = 0;
     for (size_t k = 0; k < sight->n_columns; k++) {
-        n += generator_of(sight, k, generators + 3 * n);
+        n += !discs_have(sight->discs, k) && generator_of(sight, k, generators + 3 * n);
     }
     if (largest_of(sight->center) > 0) {
         memcpy(generators + 3 * n++, sight->center, sizeof sight->center);
+    }
+    return n;
+}
+
+/* The discs that the norm sees; returns how many. */
+static size_t gather_ellipses(const sight *sight, ellipse ellipses[])
+{
+    size_t n = 0;
+    for (size_t k = 0; k < sight->n_columns && sight->discs != NULL; k++) {
+        if (sight->discs[k]) {
+            const bool one = generator_of(sight, k, ellipses[n].one);
+            const bool other = generator_of(sight, k + 1, ellipses[n].other);
+            n += one || other;
+        }
     }
     return n;
 }
@@ -185,10 +209,10 @@ static int left_out(unsigned components)
     return -1;
 }
 
-double armtol_worst_norm(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
-                         const double tolerances[], double direction[6], double workspace[])
+double norm_discs_worst(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
+                        const double tolerances[], const bool discs[], double direction[6], double workspace[])
 {
-    sight sight = {matrix, n_columns, components, shifts, tolerances, 0, {0, 0, 0}};
+    sight sight = {matrix, n_columns, components, shifts, tolerances, discs, 0, {0, 0, 0}};
     double vertex[3];
     memset(direction, 0, 6 * sizeof *direction);
     if (!look(&sight)) {
@@ -196,16 +220,29 @@ double armtol_worst_norm(const double matrix[], size_t n_columns, unsigned compo
     }
     double *const generators = workspace;
     const size_t n = gather(&sight, generators);
-    farthest_vertex(generators, n, left_out(components), (crossing *)(void *)(workspace + 3 * n), vertex);
+    ellipse *const ellipses = (ellipse *)(void *)(workspace + armtol_norm_workspace(n_columns));
+    const size_t n_ellipses = gather_ellipses(&sight, ellipses);
+    if (n_ellipses > 0) {
+        farthest_round(generators, n, ellipses, n_ellipses, left_out(components), (double *)(ellipses + n_ellipses),
+                       vertex);
+    } else {
+        farthest_vertex(generators, n, left_out(components), NULL, (crossing *)(void *)(workspace + 3 * n), vertex);
+    }
     return told(&sight, vertex, direction);
+}
+
+double armtol_worst_norm(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
+                         const double tolerances[], double direction[6], double workspace[])
+{
+    return norm_discs_worst(matrix, n_columns, components, shifts, tolerances, NULL, direction, workspace);
 }
 
 /* ---- standard deviations ---- */
 
-double armtol_rss_norm(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
-                       const double tolerances[], double factor, double direction[6])
+double norm_discs_rss(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
+                      const double tolerances[], const bool discs[], double factor, double direction[6])
 {
-    sight sight = {matrix, n_columns, components, shifts, tolerances, 0, {0, 0, 0}};
+    sight sight = {matrix, n_columns, components, shifts, tolerances, discs, 0, {0, 0, 0}};
     double squares[3][3] = {{0}}, generator[3], point[3];
     memset(direction, 0, 6 * sizeof *direction);
     if (!look(&sight)) {
@@ -213,11 +250,18 @@ double armtol_rss_norm(const double matrix[], size_t n_columns, unsigned compone
     }
     for (size_t k = 0; k < n_columns; k++) {
         if (generator_of(&sight, k, generator)) {
+            const double of = discs_have(discs, k) ? DISC_FACTOR * factor : factor;
             for (int i = 0; i < 9; i++) {
-                squares[i / 3][i % 3] += factor * generator[i / 3] * (factor * generator[i % 3]);
+                squares[i / 3][i % 3] += of * generator[i / 3] * (of * generator[i % 3]);
             }
         }
     }
     farthest_of_ellipsoid((const double(*)[3])squares, sight.center, point);
     return told(&sight, point, direction);
+}
+
+double armtol_rss_norm(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
+                       const double tolerances[], double factor, double direction[6])
+{
+    return norm_discs_rss(matrix, n_columns, components, shifts, tolerances, NULL, factor, direction);
 }

@@ -1,5 +1,7 @@
 #include "lib/region/refused.h"
 
+#include "armtol/error_matrix.h"
+#include "lib/norms/discs.h"
 #include "lib/report/finite.h"
 
 #include <math.h>
@@ -97,6 +99,10 @@ static region_refusal check_asked(const armtol_question *question, const armtol_
     }
     if (how != NULL && how->gap != 0 && !(how->gap >= 1e-6 && how->gap <= 10)) {
         return region_refusal_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_QUESTION, 0, ARMTOL_REGION_GAP);
+    }
+    const armtol_arm *arm = question->arm;
+    if (discs_count(question->discs, armtol_column_count(arm->links, arm->n_links)) > 0) {
+        return region_refusal_of(ARMTOL_BAD_QUESTION, ARMTOL_ABOUT_DISCS, 0, ARMTOL_REGION_DISCS);
     }
     return check_drives(question);
 }

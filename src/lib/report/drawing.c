@@ -8,6 +8,7 @@
  * Special cases:
  *    A negative s is the mirror image of its opposite. Without a shortest distance that s could reach (s^2 <= lost),
  *    the other end is the longest distance on the other side.
+ *    The way back is halving, between 0 and what is too much.
  * Accuracy:
  *    The distances of the ends keep to the tolerance but for a few roundings of the distance, and what is tiny keeps
  *    its digits: test_drawing.c, on parts drawn at random and in closed form.
@@ -19,6 +20,7 @@
 #include "lib/report/trigonometry.h"
 
 #include <math.h>
+#include <stdbool.h>
 
 static armtol_range range_about(double s, double gained, double lost)
 {
@@ -61,4 +63,67 @@ void armtol_drawing_angle_at(double tolerance, double phi, double *alpha, double
     const double sine = sine_of(none, tolerance), cosine = cosine_of(none, tolerance);
     *alpha = angle_of(none, cosine_of(none, phi) * sine, cosine);
     *beta = angle_of(none, sine_of(none, phi) * sine, cosine);
+}
+
+double armtol_drawing_radius(double tolerance)
+{
+    return sqrt(2) * armtol_drawing_angle_even(tolerance);
+}
+
+/* ---- the way back ---- */
+
+static double farther(armtol_range range)
+{
+    return fmax(-range.low, range.high);
+}
+
+static double error_of_a(double a, double d, double tolerance)
+{
+    return farther(armtol_drawing_length(a, d, tolerance));
+}
+
+static double error_of_both(double a, double d, double tolerance)
+{
+    return farther(armtol_drawing_length_both(a, d, tolerance));
+}
+
+static double error_of_angle(double unused, double none, double tolerance)
+{
+    (void)unused;
+    (void)none;
+    return armtol_drawing_radius(tolerance);
+}
+
+/* The largest tolerance, up to `most`, whose error is within. Errors grow with tolerances. */
+static double largest(double (*error_of)(double a, double d, double tolerance), double a, double d, double error,
+                      double most)
+{
+    double low = 0, high = most;
+    if (!(error >= 0)) {
+        return (double)NAN;
+    }
+    if (error_of(a, d, most) <= error) {
+        return most;
+    }
+    for (double middle = high / 2; middle > low && middle < high; middle = low + (high - low) / 2) {
+        const bool within = error_of(a, d, middle) <= error;
+        low = within ? middle : low;
+        high = within ? high : middle;
+    }
+    return low;
+}
+
+double armtol_drawing_distance(double a, double d, double error)
+{
+    return largest(error_of_a, a, d, error, 2 * error);
+}
+
+double armtol_drawing_distance_both(double a, double d, double error)
+{
+    return largest(error_of_both, a, d, error, 2 * error);
+}
+
+double armtol_drawing_angle(double error)
+{
+    return largest(error_of_angle, 0, 0, error, 1.57);
 }

@@ -10,6 +10,7 @@
 
 #define LANES 1
 #include "lib/lanes/frame.h"
+#include "lib/tool/disc_draw.h"
 
 /*
  * Method
@@ -53,10 +54,37 @@ void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, doub
     }
     for (size_t i = 0; i < sampler->n_links; i++) {
         const armtol_sampled_link *const link = &sampler->links[i];
+        double errors[ARMTOL_PARAMETER_COUNT];
         for (size_t k = 0; k < link->n_drawn; k++) {
-            const size_t column = link->columns[k];
-            const double draw = uniform_of(sampler->key, arm * sampler->n_columns + column);
-            parameter_errors[column] = link->tolerances[k] * draw;
+            const double draw = uniform_of(sampler->key, arm * sampler->n_columns + link->columns[k]);
+            errors[link->drawn[k]] = link->tolerances[k] * draw;
+        }
+        draw_in_disc(link, errors);
+        for (size_t k = 0; k < link->n_drawn; k++) {
+            parameter_errors[link->columns[k]] = errors[link->drawn[k]];
+        }
+    }
+}
+
+/* What is drawn for the two is then a share of the disc's. */
+static void make_disc(armtol_sampled_link *link)
+{
+    for (size_t k = 0; k < link->n_drawn; k++) {
+        if (link->drawn[k] == ARMTOL_ALPHA || link->drawn[k] == ARMTOL_BETA) {
+            link->disc = link->tolerances[k];
+            link->tolerances[k] = 1;
+        }
+    }
+}
+
+void armtol_sampler_discs(const armtol_sampler *sampler, armtol_sampled_link prepared[], const bool discs[])
+{
+    for (size_t i = 0; i < sampler->n_links; i++) {
+        for (size_t k = 0; k < prepared[i].n_drawn; k++) {
+            if (discs[prepared[i].columns[k]]) {
+                make_disc(&prepared[i]);
+                break;
+            }
         }
     }
 }

@@ -4,6 +4,7 @@
 #include "armtol/sampler.h"
 #include "lib/lanes/rotation.h"
 #include "lib/lanes/sincos.h"
+#include "lib/tool/disc_draw.h"
 #include "lib/tool/splitmix.h"
 
 /* The errors of the tool of many arms (lanes.h). */
@@ -57,6 +58,7 @@ LANE_INLINE void draw_errors(const armtol_sampled_link *link, const word *state,
     } else {
         draw_some(link, link->n_drawn, state, errors);
     }
+    draw_in_disc(link, errors);
 }
 
 /*

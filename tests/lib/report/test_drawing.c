@@ -158,6 +158,57 @@ static void test_the_whole_angle_goes_to_one_alone(void)
     check_within(1e-17, 0.01, beta, "beta across");
 }
 
+/* ---- discs, and the way back ---- */
+
+/* It holds the rim, all the way round, and touches it where the errors are alike. */
+static void test_the_disc_holds_the_cone(void)
+{
+    random_source random = {4173};
+    for (int i = 0; i < 10000; i++) {
+        const double tolerance = random_between(&random, 0, 1.5), phi = random_between(&random, -4, 4);
+        const double radius = armtol_drawing_radius(tolerance);
+        double alpha, beta;
+        armtol_drawing_angle_at(tolerance, phi, &alpha, &beta);
+        TEST_ASSERT_TRUE(hypot(alpha, beta) <= radius * (1 + 1e-15));
+        TEST_ASSERT_TRUE(radius >= tolerance * (1 - 1e-15));
+    }
+    check_within(1e-9, 0.02 * (1 + 0.02 * 0.02 / 6), armtol_drawing_radius(0.02), "more by its square / 6");
+}
+
+static double farther(armtol_range range)
+{
+    return fmax(-range.low, range.high);
+}
+
+/* Taken forward again it keeps to the error, and a little more does not. */
+static void test_the_way_back_is_the_largest_that_keeps_to_the_error(void)
+{
+    random_source random = {4174};
+    for (int i = 0; i < 10000; i++) {
+        double a, d, error;
+        draw_part(&random, &a, &d, &error);
+        const double alone = armtol_drawing_distance(a, d, error), both = armtol_drawing_distance_both(a, d, error);
+        TEST_ASSERT_TRUE(alone > 0 && both > 0);
+        TEST_ASSERT_TRUE(farther(armtol_drawing_length(a, d, alone)) <= error);
+        TEST_ASSERT_TRUE(farther(armtol_drawing_length_both(a, d, both)) <= error);
+        TEST_ASSERT_TRUE(farther(armtol_drawing_length(a, d, alone * (1 + 1e-9))) > error);
+        TEST_ASSERT_TRUE(farther(armtol_drawing_length_both(a, d, both * (1 + 1e-9))) > error);
+    }
+}
+
+static void test_the_way_back_in_closed_form(void)
+{
+    /* (3, 4) is 5 long, (2, 4) is nearer to that than (4, 4), and (2, 3) than (4, 5) */
+    check_within(1e-15, 5 - sqrt(20), armtol_drawing_distance(3, 4, 1), "a alone");
+    check_within(1e-15, 5 - sqrt(13), armtol_drawing_distance_both(3, 4, 1), "both");
+    check_within(1e-15, atan(sqrt(2) * tan(0.02 / sqrt(2))), armtol_drawing_angle(0.02), "an angle");
+    check_same(1.57, armtol_drawing_angle(3), "at most");
+    check_same(0, armtol_drawing_distance(3, 4, 0), "exact");
+    check_same(0, armtol_drawing_angle(0), "exact");
+    TEST_ASSERT_TRUE(isinf(armtol_drawing_distance(3, 4, (double)INFINITY)));
+    TEST_ASSERT_TRUE(isnan(armtol_drawing_distance(3, 4, -1)) && isnan(armtol_drawing_angle((double)NAN)));
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -172,5 +223,8 @@ int main(void)
     RUN_TEST(test_an_even_share_is_that_of_45_degrees);
     RUN_TEST(test_the_axis_is_on_the_rim_of_the_cone);
     RUN_TEST(test_the_whole_angle_goes_to_one_alone);
+    RUN_TEST(test_the_disc_holds_the_cone);
+    RUN_TEST(test_the_way_back_is_the_largest_that_keeps_to_the_error);
+    RUN_TEST(test_the_way_back_in_closed_form);
     return UNITY_END();
 }

@@ -327,6 +327,30 @@ static void test_the_same_bits_for_any_split(void)
     }
 }
 
+/* Discs of all links that can have one; their draws are as wide vectors make them. */
+static void test_discs_have_the_same_bits_for_any_width(void)
+{
+    bool discs[MOST_COLUMNS] = {false};
+    armtol_column columns[MOST_COLUMNS];
+    random_links(7, 6);
+    const size_t n = armtol_column_count(links, 6);
+    armtol_columns(links, 6, columns, n);
+    for (size_t k = 0; k < n; k++) {
+        tolerances[k] = 0.01;
+        discs[k] = k + 1 < n && columns[k].parameter == ARMTOL_ALPHA && columns[k + 1].parameter == ARMTOL_BETA;
+    }
+    start(6, &armtol_tool_origin, 5);
+    armtol_sampler_draw(&sampler, 3, ARMS, others);
+    armtol_sampler_discs(&sampler, prepared, discs);
+    armtol_sampler_draw(&sampler, 3, ARMS, errors);
+    for (size_t i = 0; i < 6 * ARMS; i++) {
+        TEST_ASSERT_TRUE(errors[i] != others[i]);
+    }
+    for (size_t part = 1; part <= ARMS; part += part < 20 ? 1 : 13) {
+        check_split(kernels_of_machine(2 << part % 3), 3, part);
+    }
+}
+
 static void test_other_seeds_are_other_arms(void)
 {
     random_links(7, 6);
@@ -382,6 +406,7 @@ int main(void)
     RUN_TEST(test_draws_are_splitmix64_from_a_mixed_seed);
     RUN_TEST(test_parameters_are_shares_of_their_tolerances);
     RUN_TEST(test_the_same_bits_for_any_split);
+    RUN_TEST(test_discs_have_the_same_bits_for_any_width);
     RUN_TEST(test_other_seeds_are_other_arms);
     RUN_TEST(test_what_cannot_be_drawn_is_refused);
     return UNITY_END();
