@@ -9,6 +9,7 @@
 #include "armtol/cluster/arms.h"
 #include "armtol/cluster/merge.h"
 #include "armtol/draw/budget.h"
+#include "armtol/draw/drawing.h"
 #include "armtol/map/run.h"
 #include "armtol/region/region_run.h"
 #include "armtol/tables/arm_file.h"
@@ -106,9 +107,11 @@ static int tell(const request *request, const armtol_answer *answer, const merge
         return EXIT_FAILED;
     }
     findings.budget = budget;
-    const char *svg = request->options->svg; /* on standard output it takes the place of the answer */
+    const char *svg = request->options->svg, *drawing = request->options->write_drawing;
+    const bool told = outfile_is_standard(svg) || outfile_is_standard(drawing); /* in the place of the answer */
     const bool fine = (svg == NULL || outfile_write(svg, budget_write_svg, &findings)) &&
-                      (outfile_is_standard(svg) || print(&findings));
+                      (drawing == NULL || outfile_write(drawing, drawing_write, &findings)) &&
+                      (told || print(&findings));
     armtol_budget_destroy(budget);
     armtol_arrivals_destroy(arrivals);
     return fine ? EXIT_OK : EXIT_FAILED;

@@ -81,8 +81,10 @@ static void check_read(const char *text)
 static void test_drawings(void)
 {
     check_read("link,distance,angle,split\n0,.05,.02,even\n1,.1,-,-\n3,-,0,-\ntool,0,89,d\n");
-    check_read("# parts\r\nlink;angle;distance;split;unit\r\n0;0,02;0,05;EVEN;mm deg\r\n1;;0,1;;\r\n3;0\r\n4;89;0;D\r\n");
-    check_read("Split\tremark\tLink\tDistance\tAngle\neven\tcast\t0\t.05\t.02\n-\t-\t1\t.1\n-\t\t3\t-\t0\nd\t\t4\t0\t89\n");
+    check_read("# parts\r\nlink;angle;distance;split;unit\r\n"
+               "0;0,02;0,05;EVEN;mm deg\r\n1;;0,1;;\r\n3;0\r\n4;89;0;D\r\n");
+    check_read("Split\tremark\tLink\tDistance\tAngle\n"
+               "even\tcast\t0\t.05\t.02\n-\t-\t1\t.1\n-\t\t3\t-\t0\nd\t\t4\t0\t89\n");
 }
 
 static void test_a_drawing_of_angles_alone(void)
@@ -110,7 +112,8 @@ static void check_refused(const char *expected, const char *text)
 static void test_wrong_heads(void)
 {
     check_refused(" no table; expected a head row with link, distance, angle, split", "# nothing\n");
-    check_refused("1:1: the head row has no column \"link\"; expected link, distance, angle, split", "distance angle\n");
+    check_refused("1:1: the head row has no column \"link\"; expected link, distance, angle, split",
+                  "distance angle\n");
     check_refused("1:7: a second column \"angle\"", "angle,Angle,link\n");
     check_refused("1:1: the head row has neither \"distance\" nor \"angle\"", "link,split\n");
 }
@@ -119,10 +122,12 @@ static void test_wrong_heads(void)
 
 static void test_wrong_rows(void)
 {
-    check_refused("2:1: link \"5\": expected a whole number from 0 to 4, the last link, or the name of one", HEAD "5\n");
+    check_refused("2:1: link \"5\": expected a whole number from 0 to 4, the last link, or the name of one",
+                  HEAD "5\n");
     check_refused("2:1: link \"gun\": expected a whole number from 0 to 4, the last link, or the name of one",
                   HEAD "gun,1\n");
-    check_refused("2:1: link \"\": expected a whole number from 0 to 4, the last link, or the name of one", HEAD ",1\n");
+    check_refused("2:1: link \"\": expected a whole number from 0 to 4, the last link, or the name of one",
+                  HEAD ",1\n");
     check_refused("2:3: distance: \"x\" is not a number", HEAD "0,x,1,a\n");
     check_refused("2:3: distance: \"-1\" is negative", HEAD "0,-1,1,a\n");
     check_refused("2:5: angle: \"-1\" is negative", HEAD "0,1,-1,a\n");

@@ -23,6 +23,7 @@ const char *const commands[COMMANDS][COMMAND_ARGUMENTS] = {
     {"arm.csv", "--poses", "poses.csv", "--method", "rss", "--weights", "weights.csv", ACCURACY},
     {"arm.csv", POSE, "--tolerances", "tolerances.csv"},
     {"arm.csv", POSE, "--deviations", "deviations.csv"},
+    {"arm.csv", POSE, "--drawing", "drawing.csv", "--accuracy", "r=.5", "--write-drawing", "-"},
     {"map", "arm.csv", "--plane", "xz", "--range", "300..500,0..200", "--grid", "3,2", "--tolerances", "lengths=.1",
      "--tsv",
      "-"},
@@ -64,6 +65,7 @@ string folder_for_commands(void)
     file_write(poses.text, "0,.8,-1.6,0,.8,0\n.1,.7,-1.5,.1,.9,0\n");
     file_write(weights.text, "link,parameter,weight\n0,d,2\n1,theta,3\n");
     file_write(string_of("%s/deviations.csv", folder.text).text, "link,parameter,deviation\n1,a,-0.25\n");
+    file_write(string_of("%s/drawing.csv", folder.text).text, "link,distance,angle,split\n1,.05,.01,a\n2,.05,-,even\n");
     file_read(TEST_UR5E, &source);
     file_write(urdf.text, source.bytes);
     return folder;

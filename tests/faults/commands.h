@@ -6,7 +6,7 @@
 
 /* What is run with faults: armtol in all its ways, and the two programs of 1987 in a folder with old files. */
 
-enum { COMMANDS = 15, COMMAND_ARGUMENTS = 18 };
+enum { COMMANDS = 16, COMMAND_ARGUMENTS = 18 };
 
 /* Arguments of armtol; files of theirs are in the folder that files_for_commands fills. */
 extern const char *const commands[COMMANDS][COMMAND_ARGUMENTS];

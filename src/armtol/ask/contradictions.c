@@ -1,6 +1,7 @@
 #include "armtol/ask/options.h"
 
 #include <stddef.h>
+#include <string.h>
 
 typedef struct contradiction {
     bool holds;
@@ -33,12 +34,13 @@ static bool compares_arms(const cli_options *options)
 static const char *fault_of_comparison(const cli_options *options)
 {
     const bool wishes = options->accuracy != NULL || options->tolerances != NULL || options->given != NULL ||
-                        options->weights != NULL || options->budget || options->verify != 0 || options->cycles != 0;
+                        options->drawing != NULL || options->write_drawing != NULL || options->weights != NULL ||
+                        options->budget || options->verify != 0 || options->cycles != 0;
     const contradiction list[] = {
         {options->region != NULL, "--against and --deviations are for poses; expected no --region"},
         {options->against != NULL && options->deviations != NULL, "--against and --deviations exclude each other"},
         {wishes, "--against and --deviations compare two arms; expected no --accuracy, --tolerances, --given, "
-                 "--weights, --budget, --verify or --iso9283 beside them"},
+                 "--drawing, --weights, --budget, --verify or --iso9283 beside them"},
         {options->format == OUTPUT_CSV, "--csv writes tolerances only; expected --json, or nothing"},
     };
     return FIRST_OF(list);
@@ -94,12 +96,14 @@ static const char *fault_of_poses(const cli_options *options)
 /* In what is known and wanted, of one pose as of a map. */
 static const char *fault_of_wishes(const cli_options *options)
 {
-    const bool known = options->tolerances != NULL, sphere = options->method == ARMTOL_METHOD_SPHERE;
+    const bool drawn = options->drawing != NULL && options->accuracy == NULL;
+    const bool known = options->tolerances != NULL || drawn, sphere = options->method == ARMTOL_METHOD_SPHERE;
     const contradiction list[] = {
         {options->weights != NULL && (known || sphere), "--weights is for the methods worst and rss"},
         {options->delta != NULL && (known || !sphere), "--delta is for --method sphere"},
         {options->given != NULL && known,
-         "--given is for tolerances that are asked for, and --tolerances gives them all"},
+         drawn ? "--given is for tolerances that are asked for; expected --accuracy, or --tolerances beside --drawing"
+               : "--given is for tolerances that are asked for, and --tolerances gives them all"},
         {options->sigma_given && options->method != ARMTOL_METHOD_RSS, "--sigma is for --method rss"},
     };
     return FIRST_OF(list);
@@ -114,6 +118,7 @@ static const char *fault_of_map(const cli_options *options)
         {options->verify != 0 || options->seed_given || (options->threads != 0 && options->shard == 0) ||
              options->budget || options->tool_pose || options->wish_motors || options->cycles != 0,
          "--verify, --seed, --threads, --iso9283, --budget, --tool-pose and --wish are not for a map"},
+        {options->write_drawing != NULL, "--write-drawing is not for a map"},
         {compares_arms(options), "--against and --deviations are not for a map"},
         {options->format == OUTPUT_CSV, "a map has no --csv; expected --tsv FILE, --svg FILE or --json"},
     };
@@ -136,8 +141,11 @@ static const char *fault_of_question(const cli_options *options)
     const bool compares = compares_arms(options);
     const contradiction list[] = {
         {options->map.given, "--plane, --range and what goes with them are for armtol map ARM"},
+        {options->svg != NULL && options->write_drawing != NULL && strcmp(options->svg, "-") == 0 &&
+             strcmp(options->write_drawing, "-") == 0,
+         "--svg - and --write-drawing - exclude each other"},
         {options->svg != NULL && !options->budget, "--svg is for --budget, and for armtol map ARM"},
-        {!compares && options->accuracy == NULL && options->tolerances == NULL,
+        {!compares && options->accuracy == NULL && options->tolerances == NULL && options->drawing == NULL,
          "the accuracy is missing; expected --accuracy dx,dy,dz,wx,wy,wz (or --tolerances FILE)"},
     };
     const char *rest = compares ? fault_of_comparison(options)

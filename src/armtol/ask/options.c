@@ -258,6 +258,8 @@ static const option_row rows[] = {
     {"--delta", take_text, AT(delta)},
     {"--weights", take_text, AT(weights)},
     {"--given", take_text, AT(given)},
+    {"--drawing", take_text, AT(drawing)},
+    {"--write-drawing", take_text, AT(write_drawing)},
     {"--wish", take_wish},
     /* what loads the arm */
     {"--drives", take_text, AT(drives)},

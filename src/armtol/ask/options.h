@@ -67,6 +67,7 @@ typedef struct cli_options {
     const char *delta;
     const char *tolerances;
     const char *given;
+    const char *drawing, *write_drawing; /* files */
     const char *drives;
     const char *against, *deviations;
     const char *gravity, *force;

@@ -4,6 +4,7 @@
 #include "armtol/ask/nothing_left.h"
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
+#include "armtol/drawing/drawn.h"
 #include "armtol/lists/lists.h"
 #include "armtol/names/joint_values.h"
 #include "armtol/names/link_name.h"
@@ -18,6 +19,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define RIGHT_ANGLE 1.57079632679489661923
 
 /* ---- poses ---- */
 
@@ -352,6 +355,72 @@ static bool read_tolerances(request *request)
            take_tolerances(request, path);
 }
 
+/* ---- drawings ---- */
+
+/* With an accuracy, and tolerances of nothing else, a drawing gives some tolerances; else what it does is asked. */
+static bool gives_all(const cli_options *options)
+{
+    return options->tolerances != NULL || (options->drawing != NULL && options->accuracy == NULL);
+}
+
+static bool take_rows(request *request, const char *path)
+{
+    for (size_t i = 0; i < request->drawing.n_rows; i++) {
+        drawing_row *row = &request->drawing.rows[i];
+        if (!take_value(&request->units, true, &row->distance)) {
+            message("--drawing: %s: the distance of %s is too large", path,
+                    link_words(&request->arm, row->link, &(link_text){""}));
+            return false;
+        }
+        row->angle = units_taken(&request->units, false, row->angle);
+    }
+    return true;
+}
+
+static bool read_drawing(request *request, const char *path)
+{
+    FILE *stream = input_file_open("--drawing: ", path, "");
+    if (stream == NULL) {
+        return false;
+    }
+    const drawing_view view = {
+        .arm = request->question.arm,
+        .length_unit = units_name(&request->units, true),
+        .angle_unit = units_name(&request->units, false),
+        .right_angle = units_typed(&request->units, false, RIGHT_ANGLE),
+    };
+    const bool fine = drawing_read(stream, path, &view, &request->drawing);
+    fclose(stream);
+    return fine && take_rows(request, path);
+}
+
+/* What the drawing says holds, whatever else says something of the same parameters. */
+static bool take_drawing(request *request)
+{
+    const char *path = request->options->drawing;
+    double *const tolerances = request->tolerances != NULL ? request->tolerances : request->least;
+    const drawn into = {tolerances, request->drawn, request->discs};
+    if (path == NULL) {
+        return true;
+    }
+    if (!read_drawing(request, path)) {
+        return false;
+    }
+    request->question.discs = request->discs;
+    drawn_take(&request->drawing, request->question.arm, request->columns, request->n_columns, &into);
+    for (size_t k = 0; k < request->n_columns; k++) {
+        if (request->drawn[k] && request->tolerances == NULL) {
+            request->largest[k] = request->least[k];
+        }
+        if (isinf(tolerances[k]) && request->drawn[k]) {
+            message("--drawing: %s: the distance of %s is too large", path,
+                    link_words(&request->arm, request->columns[k].link, &(link_text){""}));
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool get_memory(request *request)
 {
     const armtol_arm *arm = request->question.arm;
@@ -361,12 +430,14 @@ static bool get_memory(request *request)
     request->weights = calloc(n, sizeof *request->weights);
     request->least = calloc(n, sizeof *request->least);
     request->largest = calloc(n, sizeof *request->largest);
-    if (request->options->tolerances != NULL) {
+    request->drawn = calloc(n, sizeof *request->drawn);
+    request->discs = calloc(n, sizeof *request->discs);
+    if (gives_all(request->options)) {
         request->tolerances = calloc(n, sizeof *request->tolerances);
     }
     return enough_memory(request->columns != NULL && request->weights != NULL && request->least != NULL &&
-                         request->largest != NULL &&
-                         (request->options->tolerances == NULL || request->tolerances != NULL));
+                         request->largest != NULL && request->drawn != NULL && request->discs != NULL &&
+                         (!gives_all(request->options) || request->tolerances != NULL));
 }
 
 static bool take_values(request *request)
@@ -381,7 +452,7 @@ static bool take_values(request *request)
     return given_parse(request->options->given, &of, &request->units, request->least, request->largest) &&
            take_accuracy(request) && take_delta(request) &&
            weights_parse(request->options->weights, arm, request->columns, request->n_columns, request->weights) &&
-           (request->tolerances == NULL || read_tolerances(request));
+           (request->options->tolerances == NULL || read_tolerances(request)) && take_drawing(request);
 }
 
 int request_make(request *request, const cli_options *options, const arm_model *model)
@@ -410,6 +481,9 @@ void request_free(request *request)
     free(request->tolerances);
     free(request->least);
     free(request->largest);
+    drawing_free(&request->drawing);
+    free(request->drawn);
+    free(request->discs);
     free(request->drives);
 }
 

@@ -5,6 +5,7 @@
 #include "armtol/ask/at.h"
 #include "armtol/ask/options.h"
 #include "armtol/ask/units.h"
+#include "armtol/drawing/drawing_file.h"
 #include "armtol/tables/arm_model.h"
 
 /* What is asked, in inside units: the command line and its files, read in the light of the arm. */
@@ -17,6 +18,9 @@ typedef struct request {
     armtol_norm norms[ARMTOL_MOST_NORMS];
     double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */
     double *least, *largest;
+    drawing drawing;    /* of --drawing, in inside units; no rows without */
+    bool *drawn;        /* a column of A: what it says something of */
+    bool *discs;        /* the question's */
     at_taken *taken;                  /* of each pose, where its position was asked for; else NULL */
     armtol_arm arm;       /* the model's, with drives of its own: */
     armtol_drive *drives;

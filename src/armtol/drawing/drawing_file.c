@@ -51,6 +51,11 @@ static bool can_split(const armtol_link *link, drawing_split split)
     return split == DRAWING_SPLIT_A ? a : split == DRAWING_SPLIT_D ? d : split == DRAWING_SPLIT_EVEN && a && d;
 }
 
+bool drawing_splits_evenly(const armtol_link *link)
+{
+    return can_split(link, DRAWING_SPLIT_EVEN);
+}
+
 drawing_split drawing_only_split(const armtol_link *link)
 {
     const bool a = can_split(link, DRAWING_SPLIT_A), d = can_split(link, DRAWING_SPLIT_D);
@@ -66,7 +71,7 @@ typedef struct reader reader;
 typedef struct field {
     const char *name;
     bool needed; /* in the head row */
-    bool (*take)(const reader *reader, size_t place, drawing_row *row); /* the cell at that place; false after a message */
+    bool (*take)(const reader *reader, size_t place, drawing_row *row); /* the cell there; false after a message */
 } field;
 
 enum { FIELD_LINK, FIELD_DISTANCE, FIELD_ANGLE, FIELD_SPLIT, FIELD_UNIT, FIELDS };

@@ -15,6 +15,9 @@ typedef enum drawing_split { DRAWING_SPLIT_NONE, DRAWING_SPLIT_A, DRAWING_SPLIT_
 /* "-", "a", "d", "even". */
 const char *drawing_split_name(drawing_split split);
 
+/* Whether a and d of the link are both made, so that they can share. */
+bool drawing_splits_evenly(const armtol_link *link);
+
 /* The split that a link has where none is named: NONE where there are two to choose from, or no distance at all. */
 drawing_split drawing_only_split(const armtol_link *link);
 

@@ -113,6 +113,11 @@ static void take_tolerances(uint64_t *hash, const request *request)
     take_numbers(hash, question->weights, request->n_columns);
     take_numbers(hash, question->least, request->n_columns);
     take_numbers(hash, question->largest, request->n_columns);
+    for (size_t k = 0; k < request->n_columns; k++) {
+        if (request->discs[k]) { /* without any it is that of a question without drawings */
+            take_word(hash, k);
+        }
+    }
 }
 
 static void take_loads(uint64_t *hash, const armtol_question *question)

@@ -37,6 +37,10 @@ static int failed_for(armtol_region_fault why, const request *request, const arm
     case ARMTOL_REGION_METHOD:
         message("--method sphere is for poses; expected worst or rss with --region");
         break;
+    case ARMTOL_REGION_DISCS:
+        message("--region: alpha and beta of a drawing move in a disc, which is not bounded over a region; expected "
+                "poses, or the two in --given or --tolerances, as a square");
+        break;
     case ARMTOL_REGION_SHAPE:
         message("--region: the %s is none", shapes[fault->number]);
         break;

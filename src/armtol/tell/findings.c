@@ -21,6 +21,8 @@ parameter_row findings_parameter(const findings *findings, size_t column)
         .unit = units_name(units, is_length),
         .nominal = units_typed(units, is_length, *armtol_link_parameter(&link, at->parameter)),
         .given = answer->given[column],
+        .drawn = findings->request->drawn[column],
+        .in_disc = answer->discs[column] || (column > 0 && answer->discs[column - 1]),
         .held = answer->held[column],
         .tolerance = units_shown(units, is_length, answer->tolerances[column]),
     };

@@ -30,6 +30,8 @@ typedef struct parameter_row {
     double nominal;   /* in the pose; of several poses, at joint value 0 */
     double tolerance; /* infinity for one that does not matter */
     bool given;       /* by a drive or by --given */
+    bool drawn;       /* by --drawing */
+    bool in_disc;     /* with the link's other angle: the tolerance is the disc's radius */
     double held;      /* the share of the optimum that its range holds; negative for its least */
 } parameter_row;
 

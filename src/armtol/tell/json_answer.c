@@ -119,8 +119,30 @@ static void write_parameters(json *json, const findings *findings)
         json_text(json, "unit", row.unit);
         json_number(json, "nominal", row.nominal);
         json_number(json, "tolerance", row.tolerance);
-        json_text(json, "set_by", row.given ? "given" : row.held > 0 ? "largest" : row.held < 0 ? "least" : "accuracy");
+        json_text(json, "set_by", row.drawn      ? "drawing"
+                                  : row.given    ? "given"
+                                  : row.held > 0 ? "largest"
+                                  : row.held < 0 ? "least"
+                                                 : "accuracy");
         json_number(json, "held", fabs(row.held));
+        json_text_if(json, "within", row.in_disc ? "disc" : NULL);
+        json_close_object(json);
+    }
+    json_close_array(json);
+}
+
+static void write_drawing(json *json, const findings *findings)
+{
+    const request *request = findings->request;
+    json_open_array(json, "drawing");
+    for (size_t i = 0; i < request->drawing.n_rows; i++) {
+        const drawing_row *row = &request->drawing.rows[i];
+        json_open_object(json, NULL);
+        json_count(json, "link", row->link);
+        json_text_if(json, "name", link_name(request->question.arm, row->link));
+        json_known(json, "distance", units_typed(&request->units, true, row->distance));
+        json_known(json, "angle", units_typed(&request->units, false, row->angle));
+        json_text_if(json, "split", isnan(row->distance) ? NULL : drawing_split_name(row->split));
         json_close_object(json);
     }
     json_close_array(json);
@@ -373,6 +395,9 @@ bool output_json(const findings *findings)
     json_text(&json, "frame", options->frame == ARMTOL_TOOL_FRAME ? "tool" : "base");
     write_poses(&json, findings);
     write_parameters(&json, findings);
+    if (options->drawing != NULL) {
+        write_drawing(&json, findings);
+    }
     write_parts(&json, findings);
     write_components(&json, findings);
     if (findings->answer->n_norms > 0) {

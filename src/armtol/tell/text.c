@@ -139,6 +139,19 @@ static void print_followers(const findings *findings)
     }
 }
 
+static void say_given(const cli_options *options, wrap *wrap)
+{
+    if (options->drawing == NULL) {
+        wrap_say(wrap, "The tolerances of %s, and the accuracy that they give", options->tolerances);
+        return;
+    }
+    wrap_say(wrap, "The drawing %s,", options->drawing);
+    if (options->tolerances != NULL) {
+        wrap_say(wrap, "with the tolerances of %s,", options->tolerances);
+    }
+    wrap_say(wrap, "and the accuracy that %s", options->tolerances != NULL ? "they give" : "it gives");
+}
+
 static void print_method(const findings *findings)
 {
     const request *request = findings->request;
@@ -146,7 +159,7 @@ static void print_method(const findings *findings)
     wrap wrap;
     wrap_start(&wrap, stdout, 0, 0);
     if (request->tolerances != NULL) {
-        wrap_say(&wrap, "The tolerances of %s, and the accuracy that they give", options->tolerances);
+        say_given(options, &wrap);
     } else if (options->method == ARMTOL_METHOD_RSS) {
         wrap_say(&wrap,
                  "The largest tolerances with which %g standard deviations of every component%s are within its "
@@ -181,6 +194,29 @@ static void print_drives(const findings *findings)
         return;
     }
     printf("The drives of %zu of %zu joints are known, and are in all errors.\n", known, findings->answer->n_joints);
+}
+
+/* Two angles whose tolerance is that of both together. */
+static void print_discs(const findings *findings)
+{
+    size_t left = 0;
+    wrap wrap;
+    for (size_t k = 0; k < findings->answer->n_columns; k++) {
+        left += findings->answer->discs[k];
+    }
+    if (left == 0) {
+        return;
+    }
+    printf("\n");
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "alpha and beta are off by no more than that together, in a disc:");
+    for (size_t k = 0; k < findings->answer->n_columns; k++) {
+        if (findings->answer->discs[k]) {
+            wrap_say(&wrap, "%s%s", link_words(findings->request->question.arm, findings->answer->columns[k].link,
+                                               &(link_text){""}), --left > 0 ? "," : "");
+        }
+    }
+    wrap_end(&wrap);
 }
 
 /* Parameters that no wish depends on, or that are given without a bound. */
@@ -230,6 +266,7 @@ bool output_text(const findings *findings)
 {
     print_heading(findings);
     const bool fine = text_parameters(findings);
+    print_discs(findings);
     print_unbounded(findings);
     return fine && text_parts(findings) && text_components(findings) &&
            (findings->region == NULL || text_region(findings)) && text_loads(findings) &&

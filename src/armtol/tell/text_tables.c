@@ -34,7 +34,7 @@ static bool any_is_set(const armtol_answer *answer)
 
 static const char *origin_of(const parameter_row *row)
 {
-    return row->given ? "given" : row->held > 0 ? "largest" : row->held < 0 ? "least" : "-";
+    return row->drawn ? "drawing" : row->given ? "given" : row->held > 0 ? "largest" : row->held < 0 ? "least" : "-";
 }
 
 bool text_parameters(const findings *findings)
