@@ -20,9 +20,11 @@
 #include "armtol/error_matrix.h"
 #include "armtol/link_jacobian.h"
 
-/* The bounds, Eqs (4.25) to (4.31); what they leave a shop, Eq. (4.32); what a drawing allows, Eqs (4.14) to (4.19). */
+/* The bounds, Eqs (4.25) to (4.31); what they leave a shop, Eq. (4.32); what a drawing allows, Eqs (4.14) to (4.19);
+   what workshops call tolerances. */
 #include "armtol/bounds.h"
 #include "armtol/drawing.h"
+#include "armtol/grades.h"
 #include "armtol/machining.h"
 #include "armtol/sphere.h"
 

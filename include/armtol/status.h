@@ -27,6 +27,7 @@ typedef enum armtol_status {
     ARMTOL_BAD_RANGE,       /* a tolerance's least value is above its largest, or not one that the method can keep to */
     ARMTOL_NOTHING_LEFT,    /* what is given exceeds the accuracy by itself */
     ARMTOL_BAD_NORM,        /* a norm that is not of two or three lengths or angles, or a method without norms */
+    ARMTOL_BAD_GRADE,       /* a name that is no tolerance grade */
     ARMTOL_STATUS_COUNT     /* the number of the above, itself no status */
 } armtol_status;
 
