@@ -13,8 +13,8 @@ ARMTOL_INTERFACE_BEGIN
  *
  * Notes:
  * 1) Lengths are in mm, whatever the arm's unit is: the standards' tables are. Angles are in radians.
- * 2) A tolerance is to either side, +- t; a grade has a width, which is 2 t. So a grade is within a tolerance where half
- *    its width is no more than t.
+ * 2) A tolerance is to either side, +- t; a grade has a width, which is 2 t. So a grade is within a tolerance where
+ *    half its width is no more than t.
  * 3) What is equal on paper is: sizes and tolerances are compared to a part in 1e12.
  * 4) A step of sizes is over its lower end, up to and including its upper one.
  *
@@ -50,8 +50,8 @@ double armtol_grade_width(int grade, double size);
  *    tolerance   to either side, mm; infinity for one without a bound
  * Returned (function value):
  *    the largest number from 5 to 12 whose grade has half its width within the tolerance; ARMTOL_GRADE_FINER where not
- *    even IT5 has; ARMTOL_GRADE_WIDER where IT13, which is ten times IT8, has; ARMTOL_GRADE_NONE where the size has none
- *    or the tolerance is nan.
+ *    even IT5 has; ARMTOL_GRADE_WIDER where IT13, which is ten times IT8, has; ARMTOL_GRADE_NONE where the size has
+ *    none or the tolerance is nan.
  */
 int armtol_grade_within(double size, double tolerance);
 

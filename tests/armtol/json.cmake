@@ -85,6 +85,12 @@ check_length(5 values 0)
 check_length(3 marks)
 set(run_output "${answer}${run_output}")
 
+run(${ARMTOL} scara --joints 20,30,100,0 --degrees --tolerances 0.a=.05,0.alpha=.4 --grades --json)
+check("IT8" parameters 1 grades iso_286) # 325 mm: 89 micrometres, and IT9 140
+check("50" parameters 2 grades side)
+check("IT8" parts 0 distance_grades iso_286)
+set(run_output "${answer}${run_output}")
+
 # Every member that is printed is described.
 file(READ ${DOCUMENT} document)
 string(REGEX MATCHALL "\"[a-z_0-9]+\":" members "${run_output}${members_of_norms}")

@@ -12,9 +12,9 @@
 
 const char *const commands[COMMANDS][COMMAND_ARGUMENTS] = {
     {"puma560", POSE, ACCURACY},
-    {"puma560", POSE, ACCURACY, "--budget", "--verify", "9000", "--threads", "3"},
-    {"puma560", POSE, ACCURACY, "--json", "--budget", "--verify", "100"},
-    {"puma560", POSE, ACCURACY, "--csv"},
+    {"puma560", POSE, ACCURACY, "--budget", "--grades", "--verify", "9000", "--threads", "3"},
+    {"puma560", POSE, ACCURACY, "--json", "--budget", "--grades", "--verify", "100"},
+    {"puma560", POSE, ACCURACY, "--csv", "--grades"},
     {"puma560", POSE, ACCURACY, "--method", "sphere"},
     {"puma560", "--show"},
     {"--list"},

@@ -77,6 +77,7 @@ static void check_question(const cli_options *options)
     REQUIRE(options->weights == NULL || (options->tolerances == NULL && options->method != ARMTOL_METHOD_SPHERE));
     REQUIRE(options->delta == NULL || options->method == ARMTOL_METHOD_SPHERE);
     REQUIRE(options->format != OUTPUT_CSV || (!options->budget && options->verify == 0));
+    REQUIRE(!options->grades || !compared);
     REQUIRE((!options->seed_given && options->threads == 0) || options->verify != 0);
     check_shard(options);
     REQUIRE(options->n_shards <= options->verify);
@@ -97,6 +98,7 @@ static void check_map(const command_line *line, const cli_options *options)
     REQUIRE(options->format != OUTPUT_CSV && options->verify == 0 && !options->budget);
     REQUIRE(options->threads == 0 || options->shard != 0);
     check_shard(options);
+    REQUIRE(!options->grades);
 }
 
 static int check_armtol(command_line *line)

@@ -42,6 +42,7 @@ static const char *fault_of_comparison(const cli_options *options)
         {wishes, "--against and --deviations compare two arms; expected no --accuracy, --tolerances, --given, "
                  "--drawing, --weights, --budget, --verify or --iso9283 beside them"},
         {options->format == OUTPUT_CSV, "--csv writes tolerances only; expected --json, or nothing"},
+        {options->grades, "--grades is for tolerances, which --against and --deviations have not"},
     };
     return FIRST_OF(list);
 }
@@ -121,6 +122,7 @@ static const char *fault_of_map(const cli_options *options)
         {options->write_drawing != NULL, "--write-drawing is not for a map"},
         {compares_arms(options), "--against and --deviations are not for a map"},
         {options->format == OUTPUT_CSV, "a map has no --csv; expected --tsv FILE, --svg FILE or --json"},
+        {options->grades, "--grades is not for a map"},
     };
     return either(FIRST_OF(list), fault_of_wishes(options));
 }

@@ -97,6 +97,8 @@ void cli_help(void)
          "                              deviation\n"
          "\n"
          "      --budget                where the error comes from\n"
+         "      --grades                the grades of ISO 286 and the classes of ISO 2768\n"
+         "                              that are within the tolerances\n"
          "      --tool-pose             where the tool is in each pose: its matrix, and\n"
          "                              its angles about z, y and x\n"
          "      --verify N              draw N arms within the tolerances, search for the\n"

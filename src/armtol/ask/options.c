@@ -269,6 +269,7 @@ static const option_row rows[] = {
     {"--compensated", take_range, AT(compensated), .high = 1, .beyond = "is not from"},
     /* what to do, and how to show it */
     {"--budget", take_flag, AT(budget), true},
+    {"--grades", take_flag, AT(grades), true},
     {"--tool-pose", take_flag, AT(tool_pose), true},
     {"--svg", take_text, AT(svg)},
     {"--verify", take_whole, AT(verify), .least = 1, .most = MOST_ARMS},

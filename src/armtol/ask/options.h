@@ -82,6 +82,7 @@ typedef struct cli_options {
     double sigma; /* standard deviations */
     bool sigma_given;
     bool budget;
+    bool grades;
     bool tool_pose;
     uint64_t verify; /* arms to draw, 0 for none */
     uint64_t seed;

@@ -1,6 +1,7 @@
 #include "armtol/tell/output.h"
 
 #include "armtol/names/link_name.h"
+#include "armtol/tell/grades.h"
 #include "console/number.h"
 
 #include <math.h>
@@ -8,7 +9,7 @@
 #include <string.h>
 
 /* In quotes where it needs them: RFC 4180, and a # begins a comment in tables that are read again. */
-static void put_name(const char *name)
+static void put_text(const char *name)
 {
     const bool quotes = strpbrk(name, "\",;#\t ") != NULL;
     putchar(',');
@@ -17,6 +18,13 @@ static void put_name(const char *name)
         fputs(*name == '"' ? "\"\"" : (const char[]){*name, '\0'}, stdout);
     }
     fputs(quotes ? "\"" : "", stdout);
+}
+
+static void put_grades(const findings *findings, size_t column)
+{
+    const grades_held held = grades_of_parameter(findings, column);
+    put_text(held.iso_286 != NULL ? held.iso_286 : "");
+    put_text(grades_class(&held, "", (char[GRADES_CLASS]){""}));
 }
 
 /* Poses that were asked for by their positions: a remark for each, which whoever reads the table passes over. */
@@ -39,9 +47,11 @@ static void print_taken(const findings *findings)
 
 bool output_csv(const findings *findings)
 {
+    const bool grades = findings->request->options->grades;
     const bool names = links_have_names(findings->request->question.arm);
     print_taken(findings);
-    printf("link,kind,parameter,role,nominal,tolerance,unit%s\n", names ? ",name" : "");
+    printf("link,kind,parameter,role,nominal,tolerance,unit%s%s\n", grades ? ",iso_286,iso_2768" : "",
+           names ? ",name" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row row = findings_parameter(findings, k);
         const char *tolerance = isfinite(row.tolerance)
@@ -49,8 +59,11 @@ bool output_csv(const findings *findings)
                                     : "inf";
         printf("%zu,%s,%s,%s,%s,%s,%s", row.link, row.kind, row.parameter, row.role,
                number_shortest(row.nominal, &armtol_errata_none, &(number_text){""}), tolerance, row.unit);
+        if (grades) {
+            put_grades(findings, k);
+        }
         if (names) {
-            put_name(row.name != NULL ? row.name : "");
+            put_text(row.name != NULL ? row.name : "");
         }
         putchar('\n');
     }

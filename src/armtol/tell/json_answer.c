@@ -2,6 +2,7 @@
 
 #include "armtol/armtol.h"
 #include "armtol/names/link_name.h"
+#include "armtol/tell/grades.h"
 #include "armtol/tell/json_arms.h"
 #include "armtol/tell/laying.h"
 
@@ -105,6 +106,35 @@ static void write_method(json *json, const findings *findings)
     }
 }
 
+/* What does not exist is left out. */
+static void write_grades(json *json, const char *name, const grades_held *held)
+{
+    json_open_object(json, name);
+    json_text_if(json, "iso_286", held->iso_286);
+    json_text_if(json, "iso_2768", held->iso_2768);
+    json_known(json, "side", held->side);
+    json_close_object(json);
+}
+
+static void write_grades_of_parameter(json *json, const findings *findings, size_t column)
+{
+    const grades_held held = grades_of_parameter(findings, column);
+    write_grades(json, "grades", &held);
+}
+
+static void write_grades_of_part(json *json, const findings *findings, size_t link)
+{
+    const double angle = findings->answer->parts[link].angle;
+    if (grades_has_distance(findings, link)) {
+        const grades_held held = grades_of_distance(findings, link);
+        write_grades(json, "distance_grades", &held);
+    }
+    if (!isnan(angle)) {
+        const grades_held held = grades_of_angle(angle);
+        write_grades(json, "angle_grades", &held);
+    }
+}
+
 static void write_parameters(json *json, const findings *findings)
 {
     json_open_array(json, "parameters");
@@ -126,6 +156,9 @@ static void write_parameters(json *json, const findings *findings)
                                                  : "accuracy");
         json_number(json, "held", fabs(row.held));
         json_text_if(json, "within", row.in_disc ? "disc" : NULL);
+        if (findings->request->options->grades && grades_has_parameter(findings, k)) {
+            write_grades_of_parameter(json, findings, k);
+        }
         json_close_object(json);
     }
     json_close_array(json);
@@ -163,6 +196,9 @@ static void write_parts(json *json, const findings *findings)
         json_known(json, "angle", units_shown(units, false, part->angle));
         json_known(json, "motor", units_shown(units, slides, part->motor));
         json_known(json, "drive", units_shown(units, slides, part->drive));
+        if (findings->request->options->grades) {
+            write_grades_of_part(json, findings, i);
+        }
         json_close_object(json);
     }
     json_close_array(json);

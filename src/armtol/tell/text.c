@@ -268,7 +268,8 @@ bool output_text(const findings *findings)
     const bool fine = text_parameters(findings);
     print_discs(findings);
     print_unbounded(findings);
-    return fine && text_parts(findings) && text_components(findings) &&
+    return fine && text_parts(findings) && (!findings->request->options->grades || text_grades(findings)) &&
+           text_components(findings) &&
            (findings->region == NULL || text_region(findings)) && text_loads(findings) &&
            (findings->budget == NULL || text_budget(findings)) &&
            (findings->verification == NULL || text_verification(findings)) &&

@@ -8,6 +8,7 @@
 /* The tables that people are shown, on standard output. False after a message, where memory is short. */
 bool text_parameters(const findings *findings);
 bool text_parts(const findings *findings);
+bool text_grades(const findings *findings);
 bool text_components(const findings *findings);
 bool text_loads(const findings *findings);
 bool text_region(const findings *findings);

@@ -4,9 +4,9 @@
 #include <stdbool.h>
 
 /*
- * What two other programs give, micrometres: the packages pressfit 0.1.0 (V. Sanghvi) and isofits 1.0 (P. Greene) of the
- * Python Package Index, both under the MIT licence, called once for each number. The author of pressfit says
- * that the numbers were typed from published tables; isofits says nothing of its own.
+ * What two other programs give, micrometres: the packages pressfit 0.1.0 (V. Sanghvi) and isofits 1.0 (P. Greene) of
+ * the Python Package Index, both under the MIT licence, called once for each number. The author of pressfit says that
+ * the numbers were typed from published tables; isofits says nothing of its own.
  */
 typedef struct other_program {
     const char *name;

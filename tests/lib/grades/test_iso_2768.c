@@ -18,8 +18,8 @@ void tearDown(void)
 }
 
 /*
- * Of f and m a size inside each step and the step's upper end, from a sheet "According to DIN ISO 2768-1" that a
- * supplier of parts gives its customers; two programs of other people have the same numbers (docs/grades.md).
+ * Of f and m a size inside each step and the step's upper end, from a sheet "According to DIN ISO 2768-1"; what else
+ * the numbers were compared with is in docs/grades.md.
  */
 static const struct {
     double inside, end, fine, medium;

@@ -75,8 +75,8 @@ static double rounded(double width)
 }
 
 /*
- * The standard rounds most of IT5 to IT10 so, and the others to a number that makes a better series: up to 16 % wider in
- * the first steps, and 4 % at most elsewhere. IT11 and IT12 it makes of IT6 and IT7; see below.
+ * Most of IT5 to IT10 are so, and the others are wider: by up to 16 % in the first steps, and 4 % at most elsewhere.
+ * IT11 and IT12 are made of IT6 and IT7; see below.
  */
 static void test_widths_are_those_of_the_tolerance_factor(void)
 {
