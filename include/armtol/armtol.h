@@ -26,6 +26,7 @@
 #include "armtol/drawing.h"
 #include "armtol/grades.h"
 #include "armtol/machining.h"
+#include "armtol/seat.h"
 #include "armtol/sphere.h"
 
 /* Arms: built in, or from axes in space; what the inverse kinematics of 1987 is made of. */
