@@ -115,7 +115,7 @@ static void test_wrong_heads(void)
     check_refused("1:1: the head row has no column \"link\"; expected link, distance, angle, split",
                   "distance angle\n");
     check_refused("1:7: a second column \"angle\"", "angle,Angle,link\n");
-    check_refused("1:1: the head row has neither \"distance\" nor \"angle\"", "link,split\n");
+    check_refused("1:1: the head row has neither \"distance\" nor \"angle\" nor \"seat\"", "link,split\n");
 }
 
 #define HEAD "link,distance,angle,split,unit\n"

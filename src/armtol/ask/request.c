@@ -373,6 +373,10 @@ static bool take_rows(request *request, const char *path)
             return false;
         }
         row->angle = units_taken(&request->units, false, row->angle);
+        row->side = units_taken(&request->units, true, row->side);
+        row->seat = units_taken(&request->units, true, row->seat);
+        row->position = units_taken(&request->units, true, row->position);
+        row->play = units_taken(&request->units, true, row->play);
     }
     return true;
 }
@@ -388,6 +392,7 @@ static bool read_drawing(request *request, const char *path)
         .length_unit = units_name(&request->units, true),
         .angle_unit = units_name(&request->units, false),
         .right_angle = units_typed(&request->units, false, RIGHT_ANGLE),
+        .length = request->units.length,
     };
     const bool fine = drawing_read(stream, path, &view, &request->drawing);
     fclose(stream);

@@ -1,6 +1,9 @@
 #include "armtol/drawing/drawing_file.h"
 
+#include "armtol/drawing/named.h"
 #include "armtol/names/link_name.h"
+#include "armtol/seat.h"
+#include "armtol/tables/arm_model.h"
 #include "armtol/tables/cells.h"
 #include "console/list_room.h"
 #include "console/message.h"
@@ -14,6 +17,8 @@
 /* ---- what a link has ---- */
 
 static const char *const split_names[] = {"-", "a", "d", "even"};
+
+#define RIGHT_ANGLE 1.57079632679489661923
 
 enum { SPLITS = sizeof split_names / sizeof split_names[0] };
 
@@ -51,6 +56,12 @@ static bool can_split(const armtol_link *link, drawing_split split)
     return split == DRAWING_SPLIT_A ? a : split == DRAWING_SPLIT_D ? d : split == DRAWING_SPLIT_EVEN && a && d;
 }
 
+/* Whether any distance is made. */
+static bool can_be_off(const armtol_link *link)
+{
+    return can_split(link, DRAWING_SPLIT_A) || can_split(link, DRAWING_SPLIT_D);
+}
+
 bool drawing_splits_evenly(const armtol_link *link)
 {
     return can_split(link, DRAWING_SPLIT_EVEN);
@@ -74,7 +85,18 @@ typedef struct field {
     bool (*take)(const reader *reader, size_t place, drawing_row *row); /* the cell there; false after a message */
 } field;
 
-enum { FIELD_LINK, FIELD_DISTANCE, FIELD_ANGLE, FIELD_SPLIT, FIELD_UNIT, FIELDS };
+enum {
+    FIELD_LINK,
+    FIELD_SIDE,
+    FIELD_DISTANCE,
+    FIELD_ANGLE,
+    FIELD_SEAT,
+    FIELD_POSITION,
+    FIELD_PLAY,
+    FIELD_SPLIT,
+    FIELD_UNIT,
+    FIELDS
+};
 
 struct reader {
     const drawing_view *view;
@@ -106,37 +128,149 @@ static bool take_link(const reader *reader, size_t place, drawing_row *row)
     return row->link < arm->n_links;
 }
 
+/* What a number of a column is. */
+typedef struct number_wanted {
+    const char *name;
+    double most; /* it is less */
+    double (*named)(const char *name, double size, const char **why); /* NULL where no names are known */
+    double size; /* of named.h */
+    double unit; /* of what that gives, in the file's */
+} number_wanted;
+
+/* The cell's number or, where it has none, what its name stands for; nan, and why, where it is neither. */
+static double number_at(const reader *reader, size_t place, const number_wanted *wanted, const char **why)
+{
+    cell_number number;
+    const number_fault fault = cells_number(&reader->row, place, &number);
+    if (fault == NUMBER_FINE) {
+        return number.value;
+    }
+    *why = number_fault_text(fault);
+    const double value = wanted->named == NULL ? (double)NAN
+                                               : wanted->named(reader->row.cells[place].text, wanted->size, why);
+    *why = isnan(value) ? *why : NULL;
+    return value * wanted->unit;
+}
+
 /* A number >= 0, below `most`; nan where nothing is said. */
-static bool take_size(const reader *reader, size_t place, const char *name, double most, double *value)
+static bool take_size(const reader *reader, size_t place, const number_wanted *wanted, double *value)
 {
     const cell *cell = cell_at(reader, place);
-    cell_number number;
     *value = (double)NAN;
     if (cell == NULL || cell_is_unknown(cell)) {
         return true;
     }
-    const char *text = message_quote(cell->text, &(quoted){""});
-    const number_fault fault = cells_number(&reader->row, place, &number);
-    if (fault != NUMBER_FINE) {
-        cells_message(&reader->row, place, "%s: %s %s", name, text, number_fault_text(fault));
-    } else if (number.value < 0) {
-        cells_message(&reader->row, place, "%s: %s is negative", name, text);
-    } else if (number.value >= most) {
-        cells_message(&reader->row, place, "%s: %s is not less than a right angle", name, text);
-    } else {
-        *value = number.value;
+    const char *why = NULL;
+    const double number = number_at(reader, place, wanted, &why);
+    if (number < 0) {
+        why = "is negative";
+    } else if (number >= wanted->most) {
+        why = "is not less than a right angle";
     }
-    return !isnan(*value);
+    if (why == NULL) {
+        *value = number;
+    } else {
+        cells_message(&reader->row, place, "%s: %s %s", wanted->name, message_quote(cell->text, &(quoted){""}), why);
+    }
+    return why == NULL;
+}
+
+static double millimetres(const reader *reader)
+{
+    return arm_model_millimetres(reader->view->length);
+}
+
+/* The nominal distance of the axes, in mm. */
+static double distance_meant(const reader *reader, size_t number)
+{
+    const armtol_link *link = &reader->view->arm->links[number];
+    const double d = drawing_is_parallel(link) ? 0 : link->d;
+    return sqrt(link->a * link->a + d * d) * arm_model_millimetres(reader->view->arm->unit);
+}
+
+/* A plain length, which has no names. */
+static bool take_length(const reader *reader, size_t place, const char *name, double *value)
+{
+    return take_size(reader, place, &(number_wanted){.name = name, .most = (double)INFINITY}, value);
+}
+
+static bool take_side(const reader *reader, size_t place, drawing_row *row)
+{
+    return take_length(reader, place, "side", &row->side);
 }
 
 static bool take_distance(const reader *reader, size_t place, drawing_row *row)
 {
-    return take_size(reader, place, "distance", (double)INFINITY, &row->distance);
+    char name[128] = "distance";
+    if (row->is_other && !can_be_off(&reader->view->arm->links[row->link])) {
+        row->distance = (double)NAN;
+        return true;
+    }
+    if (row->is_other) { /* which link it is nobody can see */
+        snprintf(name, sizeof name, "distance of %s", link_words(reader->view->arm, row->link, &(link_text){""}));
+    }
+    const number_wanted wanted = {name, (double)INFINITY, named_length, distance_meant(reader, row->link),
+                                  1 / millimetres(reader)};
+    return take_size(reader, place, &wanted, &row->distance);
 }
 
 static bool take_angle(const reader *reader, size_t place, drawing_row *row)
 {
-    return take_size(reader, place, "angle", reader->view->right_angle, &row->angle);
+    const double most = reader->view->right_angle, side = row->side * millimetres(reader);
+    return take_size(reader, place, &(number_wanted){"angle", most, named_angle, side, most / RIGHT_ANGLE}, &row->angle);
+}
+
+/* ---- seats ---- */
+
+static bool take_seat(const reader *reader, size_t place, drawing_row *row)
+{
+    const bool fine = take_length(reader, place, "seat", &row->seat);
+    if (fine && row->seat == 0) {
+        cells_message(&reader->row, place, "seat: the two seats are 0 apart");
+    }
+    return fine && row->seat != 0;
+}
+
+static bool take_position(const reader *reader, size_t place, drawing_row *row)
+{
+    const number_wanted wanted = {"position", (double)INFINITY, named_position, 0, 1 / millimetres(reader)};
+    const bool fine = take_size(reader, place, &wanted, &row->position);
+    if (fine && isnan(row->seat) != isnan(row->position)) {
+        cells_message(&reader->row, place, "seat and position go together");
+    }
+    return fine && isnan(row->seat) == isnan(row->position);
+}
+
+/* What the seat adds to what is said of the link: a slide's axis has no place to be off. */
+static bool add_seat(const reader *reader, drawing_row *row)
+{
+    const armtol_link *link = &reader->view->arm->links[row->link];
+    const armtol_seat errors = armtol_seat_errors(row->seat, row->position, row->play);
+    if (can_be_off(link)) {
+        row->distance = (isnan(row->distance) ? 0 : row->distance) + errors.offset;
+    }
+    row->angle = (isnan(row->angle) ? 0 : row->angle) + errors.angle * (reader->view->right_angle / RIGHT_ANGLE);
+    const bool fine = row->angle < reader->view->right_angle && !isinf(row->distance);
+    if (!fine) {
+        cells_message(&reader->row, reader->places[FIELD_SEAT],
+                      "seat: with it the link may be off by a right angle or more, or by too large a number");
+    }
+    return fine;
+}
+
+static bool take_play(const reader *reader, size_t place, drawing_row *row)
+{
+    if (!take_length(reader, place, "play", &row->play)) {
+        return false;
+    }
+    if (isnan(row->seat)) {
+        if (!isnan(row->play)) {
+            cells_message(&reader->row, place, "play without a seat");
+        }
+        return isnan(row->play);
+    }
+    row->play = isnan(row->play) ? 0 : row->play;
+    return add_seat(reader, row);
 }
 
 /* The link and the distance are known by now. */
@@ -152,9 +286,8 @@ static bool check_split(const reader *reader, size_t place, const drawing_row *r
         }
         return row->split == DRAWING_SPLIT_NONE;
     }
-    const bool any = can_split(link, DRAWING_SPLIT_A) || can_split(link, DRAWING_SPLIT_D);
     const bool fine = can_split(link, row->split);
-    if (!any) {
+    if (!can_be_off(link)) {
         cells_message(&reader->row, reader->places[FIELD_DISTANCE], "%s, of kind %s, has no distance that is made; "
                       "expected -", words, armtol_kind_name(link->kind));
     } else if (!fine) {
@@ -180,9 +313,10 @@ static bool take_split(const reader *reader, size_t place, drawing_row *row)
             return false;
         }
     }
-    row->split = (drawing_split)split;
-    if (split == DRAWING_SPLIT_NONE && !isnan(row->distance)) {
-        row->split = drawing_only_split(&reader->view->arm->links[row->link]);
+    const armtol_link *link = &reader->view->arm->links[row->link];
+    row->split = row->is_other && !can_split(link, (drawing_split)split) ? DRAWING_SPLIT_NONE : (drawing_split)split;
+    if (row->split == DRAWING_SPLIT_NONE && !isnan(row->distance)) {
+        row->split = drawing_only_split(link);
     }
     return check_split(reader, place, row);
 }
@@ -204,8 +338,10 @@ static bool take_unit(const reader *reader, size_t place, drawing_row *row)
 
 /* In the order in which the cells of a row are looked at, whatever order its columns have. */
 static const field fields[FIELDS] = {
-    [FIELD_LINK] = {"link", true, take_link},          [FIELD_DISTANCE] = {"distance", false, take_distance},
-    [FIELD_ANGLE] = {"angle", false, take_angle},      [FIELD_SPLIT] = {"split", false, take_split},
+    [FIELD_LINK] = {"link", true, take_link},         [FIELD_SIDE] = {"side", false, take_side},
+    [FIELD_DISTANCE] = {"distance", false, take_distance}, [FIELD_ANGLE] = {"angle", false, take_angle},
+    [FIELD_SEAT] = {"seat", false, take_seat},        [FIELD_POSITION] = {"position", false, take_position},
+    [FIELD_PLAY] = {"play", false, take_play},        [FIELD_SPLIT] = {"split", false, take_split},
     [FIELD_UNIT] = {"unit", false, take_unit},
 };
 
@@ -241,8 +377,9 @@ static bool read_head(reader *reader)
     for (size_t field = 0; fine && field < FIELDS; field++) {
         fine = find_field(reader, field);
     }
-    if (fine && reader->places[FIELD_DISTANCE] == SIZE_MAX && reader->places[FIELD_ANGLE] == SIZE_MAX) {
-        cells_message(&reader->row, 0, "the head row has neither \"distance\" nor \"angle\"");
+    if (fine && reader->places[FIELD_DISTANCE] == SIZE_MAX && reader->places[FIELD_ANGLE] == SIZE_MAX &&
+        reader->places[FIELD_SEAT] == SIZE_MAX) {
+        cells_message(&reader->row, 0, "the head row has neither \"distance\" nor \"angle\" nor \"seat\"");
         fine = false;
     }
     return fine;
@@ -250,15 +387,24 @@ static bool read_head(reader *reader)
 
 /* ---- rows ---- */
 
+/* NULL where nothing was said of the link. */
+static const drawing_row *row_of(const drawing *drawing, size_t link)
+{
+    size_t i = 0;
+    while (i < drawing->n_rows && drawing->rows[i].link != link) {
+        i++;
+    }
+    return i < drawing->n_rows ? &drawing->rows[i] : NULL;
+}
+
 static bool keep_row(reader *reader, const drawing_row *row)
 {
     drawing *drawing = reader->drawing;
-    for (size_t i = 0; i < drawing->n_rows; i++) {
-        if (drawing->rows[i].link == row->link) {
-            cells_message(&reader->row, 0, "%s a second time; the first is in line %zu",
-                          link_words(reader->view->arm, row->link, &(link_text){""}), drawing->rows[i].line);
-            return false;
-        }
+    const drawing_row *before = row_of(drawing, row->link);
+    if (before != NULL) {
+        cells_message(&reader->row, 0, "%s a second time; the first is in line %zu",
+                      link_words(reader->view->arm, row->link, &(link_text){""}), before->line);
+        return false;
     }
     drawing_row *rows = list_room(drawing->rows, drawing->n_rows, &drawing->room, sizeof *rows);
     if (rows == NULL) {
@@ -269,14 +415,33 @@ static bool keep_row(reader *reader, const drawing_row *row)
     return true;
 }
 
-static bool take_row(reader *reader)
+/* The fields of the row at hand from the first one on. */
+static bool take_fields(reader *reader, size_t first, drawing_row row)
 {
-    drawing_row row = {.line = reader->row.line};
     bool fine = true;
-    for (size_t field = 0; fine && field < FIELDS; field++) {
+    for (size_t field = first; fine && field < FIELDS; field++) {
         fine = fields[field].take(reader, reader->places[field], &row);
     }
     return fine && keep_row(reader, &row);
+}
+
+static bool take_others(reader *reader)
+{
+    const size_t n_links = reader->view->arm->n_links;
+    bool fine = true;
+    for (size_t link = 0; fine && link < n_links; link++) {
+        const drawing_row row = {.line = reader->row.line, .link = link, .is_other = true};
+        fine = row_of(reader->drawing, link) != NULL || take_fields(reader, FIELD_LINK + 1, row);
+    }
+    return fine;
+}
+
+static bool take_row(reader *reader)
+{
+    const cell *link = cell_at(reader, reader->places[FIELD_LINK]);
+    return link != NULL && cell_is(link, "others")
+               ? take_others(reader)
+               : take_fields(reader, FIELD_LINK, (drawing_row){.line = reader->row.line});
 }
 
 static bool read_rows(reader *reader)

@@ -27,10 +27,14 @@ bool drawing_is_parallel(const armtol_link *link);
 /* One row, in the units of the file. */
 typedef struct drawing_row {
     size_t link;
-    double distance;     /* nan where nothing is said */
+    double distance;     /* with what the seat adds; nan where nothing is said */
     double angle;        /* likewise */
+    double side;         /* the length of the angle's shorter side; nan where nothing is said */
+    double seat;         /* how far the two seats are apart that the axis at the link's end has; likewise, and then: */
+    double position, play;
     drawing_split split; /* NONE where there is no distance, and only there */
     size_t line;
+    bool is_other;       /* from the row "others" */
 } drawing_row;
 
 typedef struct drawing {
@@ -43,12 +47,13 @@ typedef struct drawing_view {
     const armtol_arm *arm;
     const char *length_unit, *angle_unit; /* what a column `unit`, where there is one, has to say: "mm deg" */
     double right_angle;                   /* in that unit; every angle is less */
+    armtol_length_unit length;            /* of length_unit: names of tolerances are of mm */
 } drawing_view;
 
 /*
- * A head row names the columns, in any order: link (number or name), distance, angle, split; others are passed over but
- * for `unit`. A dash, or nothing, says nothing of a distance or an angle. *drawing is to be freed also after a message,
- * which begins with FILE:LINE:COLUMN.
+ * A head row names the columns, in any order: link (number or name), distance, angle, split, side, seat, position, play;
+ * what else there is is passed over but for `unit`. A row "others" is of all links without a row before it. A dash, or nothing, says nothing of a distance or an angle. *drawing is to be
+ * freed also after a message, which begins with FILE:LINE:COLUMN.
  */
 bool drawing_read(FILE *stream, const char *path, const drawing_view *view, drawing *drawing);
 void drawing_free(drawing *drawing);

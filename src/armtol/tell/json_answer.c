@@ -176,6 +176,10 @@ static void write_drawing(json *json, const findings *findings)
         json_known(json, "distance", units_typed(&request->units, true, row->distance));
         json_known(json, "angle", units_typed(&request->units, false, row->angle));
         json_text_if(json, "split", isnan(row->distance) ? NULL : drawing_split_name(row->split));
+        json_known(json, "side", units_typed(&request->units, true, row->side));
+        json_known(json, "seat", units_typed(&request->units, true, row->seat));
+        json_known(json, "position", units_typed(&request->units, true, row->position));
+        json_known(json, "play", units_typed(&request->units, true, row->play));
         json_close_object(json);
     }
     json_close_array(json);
