@@ -68,7 +68,7 @@ static void check_row(const char *text, const drawing_view *view, double distanc
 #define NONE ((double)NAN)
 #define DISTANCE "link,distance,split\n"
 
-/* ISO 286: 50 mm IT7 25, IT10 100; 400 mm IT7 57 micrometres, half to either side. ISO 2768: 0.15, 0.3, 0.5; 3 m: m 2. */
+/* ISO 286: 50 mm IT7 25, IT10 100; 400 mm IT7 57 micrometres, half to either side. ISO 2768: 0.15, 0.3, 0.5, 2. */
 static void test_distances_by_name(void)
 {
     check_row(DISTANCE "0,IT7,a\n", &in_mm, 0.0125, NONE);
@@ -172,13 +172,13 @@ static void check_others(const drawing *drawing, size_t row, size_t link, double
     check_within(1e-15, 0.5, drawing->rows[row].angle, "link %zu", link);
 }
 
-/* Links 1 and 3 have rows of their own; of the others the slide has no distance, and 0 and 4 a class of ISO 2768 each. */
+/* Links 1 and 3 have rows of their own; of the others the slide has no distance, and 0 and 4 have what m says. */
 static void test_others(void)
 {
     drawing drawing;
     said said;
-    TEST_ASSERT_TRUE_MESSAGE(read_text("link,distance,angle,split,side\n1,1,1,a\n3,1,1,a\nOthers,2768-m,2768-m,even,50\n",
-                                       &in_mm, &drawing, &said), said.text);
+    TEST_ASSERT_TRUE_MESSAGE(read_text("link,distance,angle,split,side\n1,1,1,a\n3,1,1,a\n"
+                                       "Others,2768-m,2768-m,even,50\n", &in_mm, &drawing, &said), said.text);
     TEST_ASSERT_EQUAL_UINT(5, drawing.n_rows);
     check_others(&drawing, 2, 0, 0.3, DRAWING_SPLIT_EVEN);
     check_others(&drawing, 3, 2, NONE, DRAWING_SPLIT_NONE);

@@ -135,6 +135,30 @@ static void test_method_sphere(void)
     TEST_ASSERT_NULL(strstr(process.output.bytes, "\n  2     distance"));
 }
 
+static void answer_drawing(const char *drawing, process *process)
+{
+    file_write(string_of("%s/drawing.csv", folder.text).text, drawing);
+    run_well(process, folder.text,
+             (const char *const[]){"metres.csv", POSE, "--inches", "--drawing", "drawing.csv", NULL});
+}
+
+/*
+ * 107.7 mm: IT7 35 micrometres; 40 mm: IT6 16; 600 mm: f 0.3 mm, 50 mm: 0.15 mm; 10' up to 400 mm; in inches. What is
+ * said by name is what is said in numbers.
+ */
+static void test_a_drawing_by_names_is_that_of_numbers(void)
+{
+    process named, numbers;
+    answer_drawing("link,distance,angle,split,side,seat,position,play\n"
+              "0,IT7,.01,a,,2.5,40H6,.0001\nothers,2768-f,2768-f,d,10\n", &named);
+    answer_drawing(string_of("link,distance,angle,split\n0,%.17g,%.17g,a\n1,%.17g,%.17g,d\n2,%.17g,%.17g,a\n",
+                        0.0175 / 25.4 + (0.016 / 25.4 + 1e-4) / 2,
+                        0.01 + (0.016 / 25.4 + 1e-4) / 2.5 * 180 / 3.14159265358979323846, 0.3 / 25.4, 1 / 6.0,
+                        0.15 / 25.4, 1 / 6.0).text, &numbers);
+    TEST_ASSERT_NOT_NULL(strstr(named.output.bytes, "0.00113515"));
+    TEST_ASSERT_EQUAL_STRING(numbers.output.bytes, named.output.bytes);
+}
+
 static void check_refused(const char *const arguments[], const char *why)
 {
     process process;
@@ -162,6 +186,7 @@ int main(void)
     RUN_TEST(test_csv_is_read_again);
     RUN_TEST(test_json);
     RUN_TEST(test_method_sphere);
+    RUN_TEST(test_a_drawing_by_names_is_that_of_numbers);
     RUN_TEST(test_where_there_are_no_tolerances);
     return UNITY_END();
 }

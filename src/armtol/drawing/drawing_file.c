@@ -217,7 +217,8 @@ static bool take_distance(const reader *reader, size_t place, drawing_row *row)
 static bool take_angle(const reader *reader, size_t place, drawing_row *row)
 {
     const double most = reader->view->right_angle, side = row->side * millimetres(reader);
-    return take_size(reader, place, &(number_wanted){"angle", most, named_angle, side, most / RIGHT_ANGLE}, &row->angle);
+    const number_wanted wanted = {"angle", most, named_angle, side, most / RIGHT_ANGLE};
+    return take_size(reader, place, &wanted, &row->angle);
 }
 
 /* ---- seats ---- */
@@ -338,10 +339,14 @@ static bool take_unit(const reader *reader, size_t place, drawing_row *row)
 
 /* In the order in which the cells of a row are looked at, whatever order its columns have. */
 static const field fields[FIELDS] = {
-    [FIELD_LINK] = {"link", true, take_link},         [FIELD_SIDE] = {"side", false, take_side},
-    [FIELD_DISTANCE] = {"distance", false, take_distance}, [FIELD_ANGLE] = {"angle", false, take_angle},
-    [FIELD_SEAT] = {"seat", false, take_seat},        [FIELD_POSITION] = {"position", false, take_position},
-    [FIELD_PLAY] = {"play", false, take_play},        [FIELD_SPLIT] = {"split", false, take_split},
+    [FIELD_LINK] = {"link", true, take_link},
+    [FIELD_SIDE] = {"side", false, take_side},
+    [FIELD_DISTANCE] = {"distance", false, take_distance},
+    [FIELD_ANGLE] = {"angle", false, take_angle},
+    [FIELD_SEAT] = {"seat", false, take_seat},
+    [FIELD_POSITION] = {"position", false, take_position},
+    [FIELD_PLAY] = {"play", false, take_play},
+    [FIELD_SPLIT] = {"split", false, take_split},
     [FIELD_UNIT] = {"unit", false, take_unit},
 };
 

@@ -51,9 +51,10 @@ typedef struct drawing_view {
 } drawing_view;
 
 /*
- * A head row names the columns, in any order: link (number or name), distance, angle, split, side, seat, position, play;
- * what else there is is passed over but for `unit`. A row "others" is of all links without a row before it. A dash, or nothing, says nothing of a distance or an angle. *drawing is to be
- * freed also after a message, which begins with FILE:LINE:COLUMN.
+ * A head row names the columns, in any order: link (number or name), distance, angle, split, side, seat, position and
+ * play; what else there is is passed over but for `unit`. A dash, or nothing, says nothing of a distance or an angle. A
+ * row "others" is of all links that have no row before it. *drawing is to be freed also after a message, which begins
+ * with FILE:LINE:COLUMN.
  */
 bool drawing_read(FILE *stream, const char *path, const drawing_view *view, drawing *drawing);
 void drawing_free(drawing *drawing);

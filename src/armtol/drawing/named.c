@@ -35,7 +35,8 @@ double named_length(const char *name, double size, const char **why)
     const armtol_general general = general_named(name);
     armtol_grade grade;
     if (general != ARMTOL_GENERAL_COUNT) {
-        return or_why(armtol_general_length(general, size), "is for lengths from 0.5 to 4000 mm (2768-f: 2000 mm)", why);
+        return or_why(armtol_general_length(general, size), "is for lengths from 0.5 to 4000 mm (2768-f: 2000 mm)",
+                      why);
     }
     if (!looks_like_a_grade(name)) {
         return (double)NAN;
