@@ -110,7 +110,6 @@ typedef enum armtol_region_fault {
     ARMTOL_REGION_SHAPE, /* a block, ring, path or cone that is none; fault.number 0 to 3 */
     ARMTOL_REGION_EMPTY, /* no pose is in it: proved */
     ARMTOL_REGION_NOT_FOUND, /* no pose was found in it, with as many boxes as there may be */
-    ARMTOL_REGION_LOADED,    /* fault.number is the link: its drive is off by what depends on the pose */
     ARMTOL_REGION_METHOD,    /* by ARMTOL_METHOD_SPHERE tolerances are of poses */
     ARMTOL_REGION_GAP,       /* not within its limits */
     ARMTOL_REGION_DISCS      /* the bound is of tolerances that are each of their own */
@@ -131,8 +130,9 @@ typedef enum armtol_region_fault {
  *    *why       what is wrong with the region; may be NULL. ARMTOL_REGION_FINE where the fault says it all
  *
  * Notes:
- * 1) The error is the first order's, with shifts none: sum |A t| by methods worst and sphere,
- *    sigma sqrt(sum (A t)^2 / 3) by rss. What the exact one can differ by is `remainder`.
+ * 1) The error is the first order's: |A s| + sum |A t| by methods worst and sphere,
+ *    |A s| + sigma sqrt(sum (A t)^2 / 3) by rss, s what drives are shifted by under a load (note 3 of answer.h). What
+ *    the exact one can differ by is `remainder`.
  * 2) high is proved. In each joint by itself an element of A (frame of base or tool) is affine in the cosine and the
  *    sine of the joint's angle, or in its travel. So the error, a sum of magnitudes or a norm, is convex in that
  *    pair, and over polygons about the arcs of all joints it is largest at corners of all of them. Boxes of joints
@@ -143,15 +143,18 @@ typedef enum armtol_region_fault {
  * 5) Tolerances that are asked for keep to the accuracy by `high`, and are those of an accuracy smaller by no more
  *    than the gap: worst poses of the region are added to the question until no more than a tenth of the gap is
  *    missing. They do not where the work ended early: then `high` says what is proved.
- * 6) Drives have to be off by the same in every pose: a resolution, or play and a typed moment with nothing that
- *    loads the arm.
+ * 6) Drives under a load. The worst load case counts in each pose. A moment is affine in each joint as an element of A
+ *    is; load_sum.c of src/lib/region says how the product of both is bounded, to second order in the size of a box.
+ *    Where in a box it is not sure on which side a load holds the play, or whether it does, the worst of these counts.
+ *    By rss this may keep the bounds apart where a moment changes its sign. A tolerance that the question gives a motor
+ *    counts in each pose and case by itself where it is larger than the half width that its drive has there.
  * 7) A pose counts as in the region to 1e-9 of the arm's length, and of a radian.
  * 8) The same question has the same answer to the bit on every machine with IEEE arithmetic. No threads are begun.
  *
  * Errors:
  *    those of armtol_answer_create; ARMTOL_BAD_RANGE where *why is ARMTOL_REGION_RANGE, ARMTOL_REGION_SHAPE or
  *    ARMTOL_REGION_GAP; ARMTOL_OUT_OF_REACH for ARMTOL_REGION_EMPTY, ARMTOL_NOT_SOLVED for ARMTOL_REGION_NOT_FOUND;
- *    ARMTOL_BAD_LOAD for ARMTOL_REGION_LOADED; ARMTOL_BAD_QUESTION for ARMTOL_REGION_METHOD and ARMTOL_REGION_DISCS;
+ *    ARMTOL_BAD_QUESTION for ARMTOL_REGION_METHOD and ARMTOL_REGION_DISCS;
  *    ARMTOL_UNBOUNDED about an accuracy or a norm that depends on a tolerance without a bound
  *
  * Reference:

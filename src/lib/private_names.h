@@ -39,6 +39,7 @@
 #define cuts_norm armtol_private_cuts_norm
 #define cuts_note armtol_private_cuts_note
 #define cuts_start armtol_private_cuts_start
+#define arm_metres armtol_private_arm_metres
 #define arm_motion armtol_private_arm_motion
 #define arc_cosine_of armtol_private_arc_cosine_of
 #define arc_sine_of armtol_private_arc_sine_of
@@ -134,6 +135,7 @@
 #define chain_free armtol_private_chain_free
 #define chain_make armtol_private_chain_make
 #define chain_measure armtol_private_chain_measure
+#define chain_take_loads armtol_private_chain_take_loads
 #define corner_box_at armtol_private_corner_box_at
 #define corner_box_of armtol_private_corner_box_of
 #define corner_space_free armtol_private_corner_space_free
@@ -142,6 +144,15 @@
 #define corners_place armtol_private_corners_place
 #define enclose armtol_private_enclose
 #define enclose_unseen armtol_private_enclose_unseen
+#define load_space_free armtol_private_load_space_free
+#define load_space_make armtol_private_load_space_make
+#define load_sum_largest armtol_private_load_sum_largest
+#define loads_are_upright armtol_private_loads_are_upright
+#define loads_free armtol_private_loads_free
+#define loads_make armtol_private_loads_make
+#define loads_most armtol_private_loads_most
+#define loads_payload armtol_private_loads_payload
+#define pose_balance armtol_private_pose_balance
 #define pose_climb armtol_private_pose_climb
 #define pose_draw armtol_private_pose_draw
 #define pose_error armtol_private_pose_error

@@ -29,11 +29,6 @@ static int failed_for(armtol_region_fault why, const request *request, const arm
     case ARMTOL_REGION_NOT_FOUND:
         message("--region: no pose of %s was found in it; --most has the boxes to look for one", arm);
         return EXIT_FAILED;
-    case ARMTOL_REGION_LOADED:
-        message("--region: the drive of link %zu gives way, or has play, under a load that changes from pose to "
-                "pose, and that is not bounded over a region; expected poses, no masses and loads, or --wish motors",
-                fault->number);
-        break;
     case ARMTOL_REGION_METHOD:
         message("--method sphere is for poses; expected worst or rss with --region");
         break;

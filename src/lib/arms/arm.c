@@ -1,6 +1,7 @@
 #include "armtol/arm.h"
 
 #include "lib/arms/arms.h"
+#include "lib/arms/motion.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,6 +21,13 @@ const char *armtol_length_unit_name(armtol_length_unit unit)
         [ARMTOL_INCH] = "in",
     };
     return (size_t)unit < ARMTOL_LENGTH_UNIT_COUNT ? names[unit] : "?";
+}
+
+double arm_metres(armtol_length_unit unit)
+{
+    static const double counts[ARMTOL_LENGTH_UNIT_COUNT] = {
+        [ARMTOL_MILLIMETRE] = 1e-3, [ARMTOL_METRE] = 1, [ARMTOL_INCH] = 0.0254};
+    return (size_t)unit < ARMTOL_LENGTH_UNIT_COUNT ? counts[unit] : 1e-3;
 }
 
 double armtol_drive_error(const armtol_drive *drive)

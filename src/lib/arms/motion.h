@@ -10,4 +10,7 @@
  */
 armtol_motion arm_motion(const armtol_arm *arm, size_t link);
 
+/* Metres of a unit of length; of a value that is none, of a millimetre. */
+double arm_metres(armtol_length_unit unit);
+
 #endif

@@ -1,6 +1,7 @@
 #include "lib/engine/drives.h"
 
 #include "armtol/tool_error.h"
+#include "lib/arms/motion.h"
 #include "lib/engine/check.h"
 #include "lib/report/finite.h"
 
@@ -90,14 +91,6 @@ armtol_fault question_check_drives(const armtol_question *question)
 
 /* ---- Eq. (4.20) ---- */
 
-/* Metres of the arm's unit of length. */
-static double metres(armtol_length_unit unit)
-{
-    static const double counts[ARMTOL_LENGTH_UNIT_COUNT] = {
-        [ARMTOL_MILLIMETRE] = 1e-3, [ARMTOL_METRE] = 1, [ARMTOL_INCH] = 0.0254};
-    return (size_t)unit < ARMTOL_LENGTH_UNIT_COUNT ? counts[unit] : 1e-3;
-}
-
 static armtol_status find_moments(armtol_answer *answer, const armtol_question *question, size_t pose)
 {
     const armtol_arm *arm = question->arm;
@@ -107,7 +100,7 @@ static armtol_status find_moments(armtol_answer *answer, const armtol_question *
     const armtol_status status = armtol_moments(armtol_answer_links(answer, pose), answer->n_links, arm->masses,
                                                 &answer->tool, payload, loading, moments);
     for (size_t i = 0; i < answer->n_links && status == ARMTOL_OK; i++) {
-        moments[i] *= arm->links[i].joint == ARMTOL_REVOLUTE ? metres(arm->unit) : 1;
+        moments[i] *= arm->links[i].joint == ARMTOL_REVOLUTE ? arm_metres(arm->unit) : 1;
     }
     return status;
 }

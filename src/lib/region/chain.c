@@ -41,9 +41,10 @@ static chain_link link_of(const armtol_arm *arm, size_t link, const size_t varia
     return made;
 }
 
-/* The longest that the link's own vector is in the region. */
-static double longest(const chain *chain, const chain_link *link)
+/* The longest that a link's own vector is in the region. */
+static double longest(const chain *chain, size_t i)
 {
+    const chain_link *link = &chain->links[i];
     double d = fabs(link->d);
     if (link->joint == ARMTOL_PRISMATIC) {
         const size_t j = link->variable;
@@ -64,7 +65,7 @@ static bool make_links(chain *chain, const armtol_arm *arm)
     }
     for (size_t i = 0; i < arm->n_links; i++) {
         chain->links[i] = link_of(arm, i, variables);
-        chain->reach += longest(chain, &chain->links[i]);
+        chain->reach += longest(chain, i);
     }
     free(variables);
     return true;
@@ -105,6 +106,27 @@ void chain_free(chain *chain)
     free(chain->links);
     free(chain->low);
     free(chain->high);
+}
+
+bool chain_take_loads(chain *chain, loads *loads)
+{
+    double *lengths = calloc(chain->n_links, 2 * sizeof *lengths), *most = lengths + chain->n_links;
+    if (lengths == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < chain->n_links; i++) {
+        lengths[i] = longest(chain, i);
+    }
+    for (size_t which = 0; which < loads->n_cases; which++) {
+        loads_most(loads, which, lengths, most);
+        for (size_t d = 0; d < loads->n_drives; d++) {
+            load_drive *drive = &loads->drives[d];
+            drive->most = fmax(drive->most, most[drive->link]);
+        }
+    }
+    free(lengths);
+    chain->loads = loads->n_drives > 0 ? loads : NULL;
+    return true;
 }
 
 /* ---- symmetry ---- */
@@ -153,13 +175,14 @@ static void hold_at_middle(chain *chain, size_t variable)
 /*
  * The first joint turns the whole arm about z of the base. Where the region turns with it, an error along the tool's
  * axes or z, or the length of one across z, is the same at each of its values; an error along another axis is the
- * same after half a turn.
+ * same after half a turn. So it is with drives under a load, where what bears on them is along z.
  */
 static void use_symmetry(chain *chain, const armtol_region *region)
 {
     const chain_link *first = &chain->links[0];
     const size_t j = first->variable;
-    if (first->joint != ARMTOL_REVOLUTE || is_followed(chain, j) || !is_round(region)) {
+    const bool seen = chain->loaded && !loads_are_upright(chain->loads);
+    if (first->joint != ARMTOL_REVOLUTE || is_followed(chain, j) || !is_round(region) || seen) {
         return;
     }
     const bool x = has_axis(chain, 0), y = has_axis(chain, 1);
@@ -238,6 +261,10 @@ static double angles_of(const chain *chain, size_t link)
  * 1e-12 of it may have been cleared in the A that an answer has. Here a corner of an arc is off by less than 16 u, an
  * angle of the direction counts as a link, and each link turns the frame as often as there: 200 u in the place of 100
  * is more than that. Corners lie further out than 1, which stretches all of it alike: enclose.c multiplies.
+ *
+ * A moment is a product like an element's, once more of a lever and a force: at corners it is off by less than that
+ * origin's part of what it could be, and as moments.c has it by twice that, up to 1e-12 cleared. A shift is a sum of
+ * products of both, and the functions above it (load_sum.c) are of their sizes.
  */
 static void take_rounding(chain *chain, double lengths, double angles)
 {
@@ -248,16 +275,37 @@ static void take_rounding(chain *chain, double lengths, double angles)
     }
     const double origin = frame + 16 * n * unit;
     chain->blur = 2 * (negligible + origin) * chain->reach;
+    chain->moment_rounding = origin;
+    chain->shift_rounding = 0;
+    for (size_t i = 0; chain->loaded && i < chain->loads->n_drives; i++) {
+        const load_drive *drive = &chain->loads->drives[i];
+        const bool turns = chain->links[drive->link].joint == ARMTOL_REVOLUTE && !chain->angular;
+        const double lever = turns ? 2 * chain->reach : 1;
+        chain->shift_rounding += (2 * negligible + 10 * origin + 64 * unit) * lever * drive->give * drive->most;
+    }
     chain->rounding = chain->angular ? (negligible + 2 * frame) * angles
                                      : (negligible + 4 * origin) * (lengths + 2 * chain->reach * angles);
 }
 
+/* Of motors under a load: what they may be off by where it holds their play, in the place of the most of all poses. */
+static void take_drives(chain *chain, double *lengths, double *angles)
+{
+    for (size_t i = 0; i < chain->loads->n_drives; i++) {
+        const load_drive *drive = &chain->loads->drives[i];
+        const bool turns = chain->links[drive->link].joint == ARMTOL_REVOLUTE;
+        chain->links[drive->link].weights[turns ? ARMTOL_THETA : ARMTOL_D] = chain->factor * drive->held;
+        *(turns ? angles : lengths) += chain->factor * drive->free_play + drive->play;
+    }
+}
+
 void chain_measure(chain *chain, const armtol_region *region, unsigned components, const double tolerances[],
-                   double sigma)
+                   double sigma, bool loaded)
 {
     double lengths = 0, angles = 0;
     size_t column = 0;
+    chain->loaded = loaded && chain->loads != NULL;
     chain->squares = sigma > 0;
+    chain->factor = sigma > 0 ? sigma / sqrt(3) : 1;
     take_axes(chain, components);
     take_ranges(chain, region);
     for (size_t i = 0; i < chain->n_links; i++) {
@@ -268,6 +316,9 @@ void chain_measure(chain *chain, const armtol_region *region, unsigned component
             chain->links[i].weights[p] = sigma > 0 ? t * sigma / sqrt(3) : t;
             *(armtol_parameter_is_length((armtol_parameter)p) ? &lengths : &angles) += chain->links[i].weights[p];
         }
+    }
+    if (chain->loaded) {
+        take_drives(chain, &lengths, &angles);
     }
     take_rounding(chain, lengths, angles);
 }

@@ -2,6 +2,7 @@
 #define ARMTOL_LIB_REGION_CHAIN_H
 
 #include "armtol/region.h"
+#include "lib/region/loads.h"
 #include "lib/private_names.h"
 
 #include <stdint.h>
@@ -34,6 +35,11 @@ typedef struct chain {
     double reach;                      /* the longest that the chain can be, and the tool's offset */
     double blur;                       /* what rounding can make of a point of it */
     double rounding;                   /* what rounding can make of the sum, before corners stretch it (enclose.c) */
+    const loads *loads;                /* NULL where nothing of the drives depends on the pose */
+    bool loaded;                       /* whether they are in the sum */
+    double factor;                     /* of tolerances in the sum: 1, or of standard deviations */
+    double shift_rounding;             /* what rounding can make of shifts, before corners stretch them twice */
+    double moment_rounding;            /* and of a moment, as a part of what it could be */
 } chain;
 
 /* The chain without a measure: its joints, their ranges, its reach. False where memory is short. */
@@ -41,10 +47,16 @@ bool chain_make(chain *chain, const armtol_arm *arm, const armtol_tool_point *to
 void chain_free(chain *chain);
 
 /*
- * What is asked of it: the components of the error, the columns' tolerances (infinite ones count as 0), and the
- * symmetry that region and measure have.
+ * What bears on its drives, which has to stay, and what their moments could be in the region. False where memory is
+ * short.
+ */
+bool chain_take_loads(chain *chain, loads *loads);
+
+/*
+ * What is asked of it: the components of the error, the columns' tolerances (infinite ones count as 0), whether drives
+ * under a load are in it, and the symmetry that region and measure have.
  */
 void chain_measure(chain *chain, const armtol_region *region, unsigned components, const double tolerances[],
-                   double sigma);
+                   double sigma, bool loaded);
 
 #endif

@@ -18,72 +18,87 @@
 
 /* ---- memory ---- */
 
-static vectors cut(double **from, size_t count)
+/* So many choices, and those of a link. A box has no more than `most`. */
+static size_t with_link(const chain *chain, size_t link, size_t count, size_t most)
 {
-    const vectors made = {*from, *from + count, *from + 2 * count};
-    *from += 3 * count;
-    return made;
+    const size_t j = chain->links[link].variable;
+    const bool moves = j != CHAIN_FIXED && chain->low[j] < chain->high[j];
+    return !moves ? count : count < most / ARC_CORNERS ? count * ARC_CORNERS : most;
 }
 
 /*
- * The most choices behind each link, and all in all. Those of the direction, up to `first`, are behind every link where
- * the error is along the tool's axes. A box has no more than `most`.
+ * The most choices up to each link's corner and behind it, those of the direction with both, and all in all: they are
+ * behind every link where the error is along the tool's axes, else in front.
  */
-static size_t count_most(const chain *chain, size_t most, size_t first, size_t counts[])
+static size_t count_most(const chain *chain, size_t most, size_t before[], size_t after[])
 {
-    size_t count = first < most ? first : most, all = 0;
-    for (size_t i = chain->n_links; i-- > 0;) {
-        const size_t j = chain->links[i].variable;
-        counts[i] = count;
+    const size_t directions = ARC_CORNERS * ARC_CORNERS, first = directions < most ? directions : most;
+    size_t count = first, all = 0;
+    for (size_t i = 0; i < chain->n_links; i++) {
+        before[i] = count = with_link(chain, i, count, most);
         all += count;
-        if (j != CHAIN_FIXED && chain->low[j] < chain->high[j]) {
-            count = count < most / ARC_CORNERS ? count * ARC_CORNERS : most;
-        }
+    }
+    count = first;
+    for (size_t i = chain->n_links; i-- > 0;) {
+        after[i] = count;
+        all += 2 * count;
+        count = with_link(chain, i, count, most);
     }
     return all;
 }
 
+static bool get_counts(corner_space *space, size_t n_links)
+{
+    space->before = calloc(n_links, sizeof *space->before);
+    space->after = calloc(n_links, sizeof *space->after);
+    space->behind = calloc(n_links, sizeof *space->behind);
+    space->moments = calloc(n_links, sizeof *space->moments);
+    space->forces = calloc(n_links + 1, sizeof *space->forces);
+    return space->before != NULL && space->after != NULL && space->behind != NULL && space->moments != NULL &&
+           space->forces != NULL;
+}
+
 bool corner_space_make(corner_space *space, const chain *chain, size_t most)
 {
-    const size_t n = chain->n_links, first = chain->along_tool ? ARC_CORNERS * ARC_CORNERS : 1;
     *space = (corner_space){.most = most};
-    space->after = calloc(n, sizeof *space->after);
-    space->behind = calloc(n, sizeof *space->behind);
-    space->moments = calloc(n, sizeof *space->moments);
-    if (space->after == NULL || space->behind == NULL || space->moments == NULL) {
+    if (!get_counts(space, chain->n_links)) {
         return false;
     }
-    const size_t all = count_most(chain, most, first, space->after);
-    space->memory = malloc((6 * all + 14 * most) * sizeof *space->memory);
+    const size_t all = count_most(chain, most, space->before, space->after);
+    space->memory = malloc((3 * all + 11 * most) * sizeof *space->memory);
     if (space->memory == NULL) {
         return false;
     }
     double *from = space->memory;
-    for (size_t i = 0; i < n; i++) {
+    space->forces[0] = cut(&from, most);
+    for (size_t i = 0; i < chain->n_links; i++) {
+        space->forces[i + 1] = cut(&from, space->before[i]);
         space->behind[i] = cut(&from, space->after[i]);
         space->moments[i] = cut(&from, space->after[i]);
     }
     space->points = cut(&from, most);
     space->tools = cut(&from, most);
-    space->forces[0] = cut(&from, most);
-    space->forces[1] = cut(&from, most);
     space->sums = from;
     space->parts = from + most;
-    return true;
+    return chain->loads == NULL || load_space_make(&space->loads, chain, space->before, space->after, most);
 }
 
 void corner_space_free(corner_space *space)
 {
+    free(space->before);
     free(space->after);
     free(space->behind);
     free(space->moments);
+    free(space->forces);
     free(space->memory);
+    load_space_free(&space->loads);
 }
 
 /* ---- corners ---- */
 
 static void count_corners(const chain *chain, corner_box *box)
 {
+    box->is_pose = false;
     box->of_links = 1;
     box->stretch = box->directions[0].stretch * box->directions[1].stretch;
     for (size_t i = 0; i < chain->n_links; i++) {
@@ -124,50 +139,10 @@ bool corner_box_of(const chain *chain, const double low[], const double high[], 
 void corner_box_at(const chain *chain, const double variables[], corner_box *box)
 {
     take_corners(chain, variables, variables, 0, box);
+    box->is_pose = true;
 }
 
 /* ---- the links behind ---- */
-
-typedef struct vector {
-    double x, y, z;
-} vector;
-
-/* From the frame behind the link, bent and tilted, to its turned frame. */
-static vector tilted(const chain_link *link, vector v)
-{
-    const double x = link->cos_beta * v.x + link->sin_beta * v.z, z = link->cos_beta * v.z - link->sin_beta * v.x;
-    return (vector){x, link->cos_alpha * v.y - link->sin_alpha * z, link->sin_alpha * v.y + link->cos_alpha * z};
-}
-
-static vector tilted_back(const chain_link *link, vector v)
-{
-    const double y = link->cos_alpha * v.y + link->sin_alpha * v.z, z = link->cos_alpha * v.z - link->sin_alpha * v.y;
-    return (vector){link->cos_beta * v.x - link->sin_beta * z, y, link->sin_beta * v.x + link->cos_beta * z};
-}
-
-static vector turned(const arc *arc, size_t corner, vector v)
-{
-    const double x = arc->x[corner], y = arc->y[corner];
-    return (vector){x * v.x - y * v.y, y * v.x + x * v.y, v.z};
-}
-
-static vector turned_back(const arc *arc, size_t corner, vector v)
-{
-    const double x = arc->x[corner], y = arc->y[corner];
-    return (vector){x * v.x + y * v.y, x * v.y - y * v.x, v.z};
-}
-
-static vector get(const vectors *from, size_t i)
-{
-    return (vector){from->x[i], from->y[i], from->z[i]};
-}
-
-static void put(const vectors *to, size_t i, vector v)
-{
-    to->x[i] = v.x;
-    to->y[i] = v.y;
-    to->z[i] = v.z;
-}
 
 /* What lies behind a link, seen from its start and along the frame before it, for each of its corners. */
 static void step_back(const chain_link *link, const arc *arc, size_t count, const vectors *from, bool free_vector,
@@ -276,17 +251,6 @@ static size_t directions(const chain *chain, const corner_box *box, const vector
     return count;
 }
 
-/* Along the frame behind `before`, or the base's, to that of the link, turned. */
-static void step_on(const chain_link *before, const arc *arc, size_t count, const vectors *from, const vectors *to)
-{
-    for (size_t i = 0; i < count; i++) {
-        const vector seen = before != NULL ? tilted_back(before, get(from, i)) : get(from, i);
-        for (size_t c = 0; c < arc->count; c++) {
-            put(to, i * arc->count + c, turned_back(arc, c, seen));
-        }
-    }
-}
-
 static void add_link(const chain *chain, const chain_link *link, vector f, size_t count, const vectors *behind,
                      double sums[])
 {
@@ -305,30 +269,22 @@ static void add_link(const chain *chain, const chain_link *link, vector f, size_
 /* A choice is numbered by its corners, those of the direction first. */
 static size_t sum_along_base(const chain *chain, const corner_box *box, corner_space *space)
 {
-    vectors *from = &space->forces[0], *to = &space->forces[1];
-    size_t before = directions(chain, box, from);
+    size_t before = directions(chain, box, &space->forces[0]);
     walk_back(chain, box, tool_of(chain), false, space, space->behind, NULL);
     memset(space->sums, 0, box->count * sizeof *space->sums);
     for (size_t i = 0; i < chain->n_links; i++) {
-        vectors *const swap = from;
-        step_on(i > 0 ? &chain->links[i - 1] : NULL, &box->links[i], before, from, to);
+        const vectors *to = &space->forces[i + 1];
+        step_on(i > 0 ? &chain->links[i - 1] : NULL, &box->links[i], before, &space->forces[i], to);
         before *= box->links[i].count;
         for (size_t k = 0; k < before; k++) {
             add_link(chain, &chain->links[i], get(to, k), space->after[i], &space->behind[i],
                      space->sums + k * space->after[i]);
         }
-        from = to;
-        to = swap;
     }
     return box->count;
 }
 
 /* ---- errors along the tool's axes ---- */
-
-static vector cross(vector a, vector b)
-{
-    return (vector){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 static double along_tool(const chain *chain, const chain_link *link, vector force, vector moment)
 {
@@ -405,8 +361,8 @@ static void decode(const chain *chain, const corner_box *box, size_t number, siz
 {
     if (chain->along_tool) {
         take_directions(box, &number, at);
-        take_links(box, chain->n_links, 1, &number, at);
         at[CHAIN_DIRECTIONS] = 0;
+        take_links(box, chain->n_links, chain->loaded ? 0 : 1, &number, at);
     } else {
         take_links(box, chain->n_links, 0, &number, at);
         take_directions(box, &number, at);
@@ -417,6 +373,11 @@ double corners_largest(const chain *chain, const corner_box *box, corner_space *
 {
     const size_t count = chain->along_tool ? sum_along_tool(chain, box, space) : sum_along_base(chain, box, space);
     size_t best = 0;
+    if (chain->loaded) {
+        const double largest = load_sum_largest(chain, box, space, space->sums, count, &best);
+        decode(chain, box, best, at);
+        return largest;
+    }
     for (size_t i = 1; i < count; i++) {
         best = space->sums[i] > space->sums[best] ? i : best;
     }

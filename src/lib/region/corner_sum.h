@@ -2,7 +2,7 @@
 #define ARMTOL_LIB_REGION_CORNER_SUM_H
 
 #include "lib/private_names.h"
-#include "lib/region/arcs.h"
+#include "lib/region/load_sum.h"
 
 /* The corners of a box of variables: of the direction's two angles, and of each link. */
 typedef struct corner_box {
@@ -11,22 +11,20 @@ typedef struct corner_box {
     size_t count; /* of all choices of a corner in each */
     size_t of_links; /* of a corner in each link */
     double stretch;
+    bool is_pose; /* not a box: what is said of it is of this pose */
 } corner_box;
-
-/* Vectors side by side. */
-typedef struct vectors {
-    double *x, *y, *z;
-} vectors;
 
 /* Memory to work in, for boxes of up to `most` choices. */
 typedef struct corner_space {
     size_t most;
+    size_t *before;   /* a link: choices of the direction and of the links up to it */
     size_t *after;    /* a link: choices of the links behind it */
     vectors *behind;  /* a link: for each of those the tool point, from the link's end and along its turned frame */
     vectors *moments; /* likewise, errors along the tool's axes: the moment; behind is then the force */
     vectors points, tools; /* choices of all links: the tool point, and z of the tool, in the base's frame */
-    vectors forces[2];     /* choices of the direction and the links so far */
+    vectors *forces;       /* 1 + a link: choices of the direction, and of the links so far too */
     double *sums, *parts;
+    load_space loads;      /* where the chain has any */
     double *memory;
 } corner_space;
 

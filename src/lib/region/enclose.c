@@ -21,11 +21,12 @@ typedef struct bounding {
     corner_box box;
     corner_space space;
     size_t *at;
-    double *range, *child, *pose, *nearer; /* 2, 2, 1 and 1 times n_variables */
+    double *range, *child, *pose, *nearer, *still; /* 2, 2, 1, 1 and 1 times n_variables */
     double *best; /* the caller's: where low is */
     boxes boxes;
     double low, closed; /* closed: the largest bound of boxes that are not halved any more */
     uint64_t looked_at;
+    load_range *ends; /* where there are loads: what drives are at one end of a variable */
 } bounding;
 
 static bool start(bounding *work, pose_search *search, const enclose_target *target, double best[])
@@ -36,15 +37,19 @@ static bool start(bounding *work, pose_search *search, const enclose_target *tar
     boxes_start(&work->boxes, n);
     work->box.links = calloc(chain->n_links, sizeof *work->box.links);
     work->at = calloc(CHAIN_DIRECTIONS + chain->n_links, sizeof *work->at);
-    work->range = calloc(6 * n, sizeof *work->range);
+    work->range = calloc(7 * n, sizeof *work->range);
     if (work->range == NULL) {
         return false;
     }
     work->child = work->range + 2 * n;
     work->pose = work->child + 2 * n;
     work->nearer = work->pose + n;
+    work->still = work->nearer + n;
+    if (chain->loaded) {
+        work->ends = calloc(chain->loads->n_cases, chain->loads->n_drives * sizeof *work->ends);
+    }
     const bool space = corner_space_make(&work->space, chain, CORNERS_MOST);
-    return space && work->box.links != NULL && work->at != NULL;
+    return space && (!chain->loaded || work->ends != NULL) && work->box.links != NULL && work->at != NULL;
 }
 
 static void end(bounding *work)
@@ -53,6 +58,7 @@ static void end(bounding *work)
     free(work->box.links);
     free(work->at);
     free(work->range);
+    free(work->ends);
     corner_space_free(&work->space);
 }
 
@@ -78,6 +84,21 @@ static void try_pose(bounding *work, const double variables[])
     if (error > work->low) {
         note_error(work, work->nearer, error);
         note_error(work, work->nearer, pose_climb(work->search, work->nearer));
+    }
+}
+
+/*
+ * Where a moment is 0 the play is a tolerance. By standard deviations that can be worse than any pose nearby: nothing
+ * but a search for it gets there. In the worst case it comes to the same.
+ */
+static void try_balanced(bounding *work, const double range[])
+{
+    const chain *chain = work->chain;
+    for (size_t i = 0; i < chain->loads->n_cases * chain->loads->n_drives; i++) {
+        memcpy(work->still, work->pose, chain->n_variables * sizeof *work->still);
+        if (work->space.loads.ranges[i].unsure && pose_balance(work->search, i, range, work->still)) {
+            try_pose(work, work->still);
+        }
     }
 }
 
@@ -110,8 +131,8 @@ static bool is_wide(const double range[], size_t n, size_t j)
     return range[n + j] - range[j] > 1e-12 * fmax(1, fabs(range[j]));
 }
 
-/* The largest at the bound's corners when one variable is put on its arc, its other corners left as they are. */
-static double without_corner(bounding *work, size_t j)
+/* The sum at the bound's corners when one variable, or none if it is n, has another value, the others left there. */
+static double with_value(bounding *work, size_t j, double value)
 {
     corner_box *one = &work->search->box;
     for (size_t i = 0; i < CHAIN_DIRECTIONS; i++) {
@@ -120,14 +141,46 @@ static double without_corner(bounding *work, size_t j)
     for (size_t i = 0; i < work->chain->n_links; i++) {
         keep_corner(&work->box.links[i], work->at[CHAIN_DIRECTIONS + i], &one->links[i]);
         if (work->chain->links[i].variable == j) {
-            arc_of_link(&work->chain->links[i], work->pose[j], work->pose[j], 0, &one->links[i]);
+            arc_of_link(&work->chain->links[i], value, value, 0, &one->links[i]);
         }
     }
     if (j < CHAIN_DIRECTIONS) {
-        arc_of_angle(work->pose[j], work->pose[j], 0, &one->directions[j]);
+        arc_of_angle(value, value, 0, &one->directions[j]);
     }
     one->count = one->of_links = 1;
+    one->is_pose = true;
     return corners_largest(work->chain, one, &work->search->space, work->search->at);
+}
+
+/*
+ * How much of the bound may be there for a variable's width, because of drives under a load: of what products of
+ * elements and moments were enlarged by (load_sum.c), and of play whose side is not sure.
+ */
+static double loads_gain(bounding *work, const double range[], size_t j)
+{
+    const loads *loads = work->chain->loads;
+    const load_range *whole = work->space.loads.ranges, *ends = work->search->space.loads.ranges;
+    double gain = 0;
+    with_value(work, j, range[j]);
+    memcpy(work->ends, ends, loads->n_cases * loads->n_drives * sizeof *ends);
+    with_value(work, j, range[work->chain->n_variables + j]);
+    for (size_t i = 0; i < loads->n_cases * loads->n_drives; i++) {
+        const load_drive *drive = &loads->drives[i % loads->n_drives];
+        const double element = fabs(ends[i].element - work->ends[i].element) / 2;
+        const double moment = fabs(ends[i].moment - work->ends[i].moment) / 2;
+        gain += drive->give * (element * whole[i].moment_half + moment * whole[i].element_half);
+        if (whole[i].unsure && whole[i].moment_half > 0) {
+            gain += drive->play * fabs(ends[i].element) * fmin(1, moment / whole[i].moment_half);
+        }
+    }
+    return gain / (double)loads->n_cases;
+}
+
+/* What of the bound is there for the variable's width. */
+static double gain_of(bounding *work, const double range[], size_t j, double bound, double at_corners)
+{
+    const double arc = fmax(at_corners / bound - with_value(work, j, work->pose[j]) / bound, 0);
+    return arc + (work->chain->loaded ? loads_gain(work, range, j) / bound : 0);
 }
 
 /*
@@ -141,14 +194,16 @@ static size_t to_halve(bounding *work, const double range[], double bound)
     const bool inside = pose_is_in_region(work->search, work->pose);
     double most = 0;
     size_t best = n;
+    const double at_corners = work->chain->loaded ? with_value(work, n, 0) : bound;
     if (!inside) {
         pose_levers(work->search, work->pose, work->nearer);
     }
     for (size_t j = 0; j < n; j++) {
         if (is_wide(range, n, j)) {
-            const double width = range[n + j] - range[j], gain = bound > 0 ? 1 - without_corner(work, j) / bound : 0;
+            const double width = range[n + j] - range[j];
+            const double gain = bound > 0 ? gain_of(work, range, j, bound, at_corners) : 0;
             const double moved = inside ? 0 : width * work->nearer[j] / chain->reach;
-            const double part = 1e-9 * width / (chain->high[j] - chain->low[j]), use = fmax(gain, 0) + moved + part;
+            const double part = 1e-9 * width / (chain->high[j] - chain->low[j]), use = gain + moved + part;
             best = use > most ? j : best;
             most = fmax(use, most);
         }
@@ -178,12 +233,18 @@ static bool is_excluded(bounding *work)
                           work->chain->reach);
 }
 
+/* Of the largest sum at corners that lie so far out: elements are stretched, and shifts by their moments once more. */
+static double rounding_of(const chain *chain, double stretch)
+{
+    return (chain->rounding + chain->shift_rounding * stretch) * stretch;
+}
+
 /* Up to here the boxes are as good as done. */
 static double threshold(const bounding *work)
 {
     const double near = work->low * (1 + work->target->gap), limit = work->target->limit;
     const double wished = work->low <= limit ? fmin(near, limit) : near;
-    return fmax(wished, work->low + 8 * work->chain->rounding);
+    return fmax(wished, work->low + 8 * rounding_of(work->chain, 1));
 }
 
 /* Bounds the box, and keeps it where it is open. False where memory is short. */
@@ -198,10 +259,13 @@ static bool look_at(bounding *work, const double range[], double above)
         return true;
     }
     const double largest = corners_largest(work->chain, &work->box, &work->space, work->at);
-    const double bound = fmin(above, largest * (1 + 1e-12) + work->chain->rounding * work->box.stretch);
+    const double bound = fmin(above, largest * (1 + 1e-12) + rounding_of(work->chain, work->box.stretch));
     pose_at_corners(work, work->pose);
     if (bound > work->low) {
         try_pose(work, work->pose);
+        if (work->chain->loaded && work->chain->squares) {
+            try_balanced(work, range);
+        }
     }
     const size_t halve = bound > threshold(work) ? to_halve(work, range, largest) : n;
     if (halve == n) { /* done, or as narrow as numbers are */

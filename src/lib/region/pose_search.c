@@ -277,3 +277,41 @@ double pose_climb(pose_search *search, double variables[])
     }
     return best;
 }
+
+/* ---- to where a load does not hold the play ---- */
+
+static double moment_at(pose_search *search, size_t which, double variables[], size_t j, double value)
+{
+    variables[j] = value;
+    pose_error(search, variables);
+    return search->space.loads.ranges[which].moment;
+}
+
+/* Between values with moments of either sign, by halving. What is left of it by rounding is 0 (load_sum.c). */
+static bool bisect(pose_search *search, size_t which, double variables[], size_t j, double below, double above)
+{
+    double moment = 1;
+    for (double last = above, middle = below; middle != last && moment != 0;) {
+        last = middle;
+        middle = below + (above - below) / 2;
+        moment = moment_at(search, which, variables, j, middle);
+        below = moment < 0 ? middle : below;
+        above = moment > 0 ? middle : above;
+    }
+    return moment == 0;
+}
+
+bool pose_balance(pose_search *search, size_t which, const double range[], double variables[])
+{
+    const size_t n = search->chain->n_variables;
+    for (size_t j = CHAIN_DIRECTIONS; j < n; j++) {
+        const double kept = variables[j], low = range[j], high = range[n + j];
+        const double at_low = moment_at(search, which, variables, j, low);
+        const double at_high = moment_at(search, which, variables, j, high);
+        if (at_low < 0 ? at_high > 0 : at_low > 0 && at_high < 0) {
+            return bisect(search, which, variables, j, at_low < 0 ? low : high, at_low < 0 ? high : low);
+        }
+        variables[j] = kept;
+    }
+    return false;
+}

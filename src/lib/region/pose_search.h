@@ -34,6 +34,12 @@ void pose_levers(pose_search *search, const double variables[], double levers[])
 /* A pose drawn from the ranges and moved into the region; false where that did not come about. */
 bool pose_draw(pose_search *search, double variables[]);
 
+/*
+ * Turn one joint within the range (lows, then highs) to where the moment of a loaded drive is 0, the drive and the load
+ * case by their place in load_space's ranges; false where no joint does that.
+ */
+bool pose_balance(pose_search *search, size_t which, const double range[], double variables[]);
+
 /* Move to where the error is larger, step by step, within the region. The error there. */
 double pose_climb(pose_search *search, double variables[]);
 

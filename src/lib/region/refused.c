@@ -71,27 +71,6 @@ static region_refusal check_shapes(const armtol_region *region)
     return fine();
 }
 
-static bool is_loaded(const armtol_question *question)
-{
-    const armtol_loading *loading = question->loading;
-    const bool held = loading != NULL && (loading->n_payloads > 0 || loading->force[0] != 0 || loading->force[1] != 0 ||
-                                          loading->force[2] != 0);
-    return held || question->arm->masses != NULL;
-}
-
-/* Under a load play and compliance depend on the pose. */
-static region_refusal check_drives(const armtol_question *question)
-{
-    const armtol_arm *arm = question->arm;
-    for (size_t i = 0; i < arm->n_links && !question->drives_apart && is_loaded(question); i++) {
-        const armtol_drive *drive = &arm->drives[i];
-        if (arm->links[i].joint != ARMTOL_FIXED && (drive->compliance > 0 || drive->backlash > 0)) {
-            return region_refusal_of(ARMTOL_BAD_LOAD, ARMTOL_ABOUT_DRIVES, i, ARMTOL_REGION_LOADED);
-        }
-    }
-    return fine();
-}
-
 static region_refusal check_asked(const armtol_question *question, const armtol_enclosing *how)
 {
     if (question->method == ARMTOL_METHOD_SPHERE && question->tolerances == NULL) {
@@ -104,7 +83,7 @@ static region_refusal check_asked(const armtol_question *question, const armtol_
     if (discs_count(question->discs, armtol_column_count(arm->links, arm->n_links)) > 0) {
         return region_refusal_of(ARMTOL_BAD_QUESTION, ARMTOL_ABOUT_DISCS, 0, ARMTOL_REGION_DISCS);
     }
-    return check_drives(question);
+    return fine();
 }
 
 region_refusal region_check(const armtol_question *question, const armtol_region *region, const armtol_enclosing *how)

@@ -33,6 +33,7 @@ typedef struct work {
     armtol_enclosing how;
     size_t n_joints, n_columns;
     chain chain;
+    loads loads;
     pose_search search;
     armtol_region_answer *made;
     armtol_answer *answer; /* of the poses so far */
@@ -111,9 +112,10 @@ static double sigma_of(const work *work)
     return work->question->method == ARMTOL_METHOD_RSS ? work->question->sigma : 0;
 }
 
-static void measure_with(work *work, const armtol_enclosure *enclosure, const double tolerances[])
+/* The error with tolerances, and where that is so with drives under a load. */
+static void measure_with(work *work, const armtol_enclosure *enclosure, const double tolerances[], bool loaded)
 {
-    chain_measure(&work->chain, work->region, enclosure->components, tolerances, sigma_of(work));
+    chain_measure(&work->chain, work->region, enclosure->components, tolerances, sigma_of(work), loaded);
 }
 
 /* ---- the poses' own answer ---- */
@@ -176,7 +178,7 @@ static bool find_first(work *work)
                                    .progress = work->how.progress, .context = work->how.context};
     armtol_enclosure found = work->made->enclosures[0];
     mark(work, 1);
-    measure_with(work, &found, work->marks);
+    measure_with(work, &found, work->marks, false);
     const armtol_status status = enclose(&work->search, &target, work->variables, &found);
     if (status == ARMTOL_OK) {
         return append_found(work, &work->drawn);
@@ -207,7 +209,7 @@ static bool is_seen(work *work, const armtol_enclosure *enclosure)
     for (size_t k = 0; k < work->n_columns; k++) {
         work->marks[k] = isfinite(work->answer->tolerances[k]) ? 0 : 1;
     }
-    measure_with(work, enclosure, work->marks);
+    measure_with(work, enclosure, work->marks, false);
     if (first_infinite(work->answer->tolerances, work->n_columns) == work->n_columns || enclose_unseen(&work->search)) {
         return false;
     }
@@ -236,7 +238,7 @@ static bool enclose_measure(work *work, armtol_enclosure *enclosure)
         .progress = work->how.progress,
         .context = work->how.context,
     };
-    measure_with(work, enclosure, work->answer->tolerances);
+    measure_with(work, enclosure, work->answer->tolerances, true);
     const armtol_status status = enclose(&work->search, &target, work->variables, enclosure);
     if (status == ARMTOL_NO_MEMORY) {
         return out_of_memory(work);
@@ -357,6 +359,19 @@ static bool tell_joints(work *work)
     return work->made->q != NULL;
 }
 
+/* What each parameter can be off by anywhere in the region: a drive under a load by what its moment could be too. */
+static void take_reaches(work *work)
+{
+    for (size_t k = 0; k < work->n_columns; k++) {
+        work->marks[k] = isfinite(work->answer->tolerances[k]) ? work->answer->tolerances[k] : 0;
+    }
+    for (size_t i = 0; i < work->loads.n_drives; i++) {
+        const load_drive *drive = &work->loads.drives[i];
+        const double held = fmax(work->marks[drive->column], drive->held);
+        work->marks[drive->column] = held + drive->play + drive->give * drive->most;
+    }
+}
+
 /*
  * The remainder of corners.c grows with the lengths of the columns and with those of their products. Here each motion
  * by an angle is as long as the arm can be and across all axes. The angular one does not depend on the pose: P E.
@@ -368,10 +383,10 @@ static bool tell_remainder(work *work)
     if (matrix == NULL) {
         return out_of_memory(work);
     }
+    take_reaches(work);
     for (size_t k = 0; k < n; k++) {
         const bool is_length = armtol_parameter_is_length(work->answer->columns[k].parameter);
-        const double t = isfinite(work->answer->tolerances[k]) ? work->answer->tolerances[k] : 0;
-        work->marks[k] = t;
+        const double t = work->marks[k];
         matrix[n + k] = is_length ? 1 : work->chain.reach;
         matrix[3 * n + k] = is_length ? 0 : 1;
         p += is_length ? 0 : t * before;
@@ -427,6 +442,7 @@ static bool start(work *work)
     work->n_columns = armtol_column_count(arm->links, arm->n_links);
     work->made = calloc(1, sizeof *work->made);
     const bool made = chain_make(&work->chain, arm, &question->tool, work->region) &&
+                      loads_make(&work->loads, question) && chain_take_loads(&work->chain, &work->loads) &&
                       pose_search_make(&work->search, &work->chain, work->region);
     work->variables = calloc(CHAIN_DIRECTIONS + work->n_joints, sizeof *work->variables);
     work->marks = calloc(work->n_columns + 1, sizeof *work->marks);
@@ -450,6 +466,7 @@ static void finish(work *work)
     armtol_answer_destroy(work->answer);
     pose_search_free(&work->search);
     chain_free(&work->chain);
+    loads_free(&work->loads);
     free(work->variables);
     free(work->marks);
     free(work->rows.q);

@@ -22,7 +22,6 @@ _SHAPES = ("box", "cylinder", "path", "direction")
 _WHY = {
     lib.ARMTOL_REGION_EMPTY: "no pose is in it: the tool is nowhere there within these ranges of the joints",
     lib.ARMTOL_REGION_NOT_FOUND: "no pose was found in it; `most` has the boxes to look for one",
-    lib.ARMTOL_REGION_LOADED: "the drive of link {} gives way, or has play, under a load that the pose changes",
     lib.ARMTOL_REGION_METHOD: "method sphere is for poses; expected worst or rss",
     lib.ARMTOL_REGION_RANGE: "joint {} has no range",
     lib.ARMTOL_REGION_GAP: "gap: expected 1e-6 to 10",

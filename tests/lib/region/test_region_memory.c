@@ -59,10 +59,33 @@ static void test_memory_for_a_norm(void)
     check_every_allocation(&question, &region, &fine);
 }
 
+/* Drives under a load have corners of their own. */
+static void test_memory_for_loads(void)
+{
+    const double low[4] = {0, 0.2, 100, 0}, high[4] = {0.2, 0.4, 110, 0};
+    const armtol_norm disc = {3, 2};
+    const armtol_mass payload = {.mass = 2};
+    const armtol_region region = {.low = low, .high = high};
+    armtol_arm arm = *armtol_arm_named("scara");
+    armtol_drive drives[4];
+    armtol_loading loading = armtol_loading_standard;
+    for (int i = 0; i < 4; i++) {
+        drives[i] = arm.drives[i];
+        drives[i].compliance = 1e-5;
+    }
+    arm.drives = drives;
+    loading.gravity[0] = 3;
+    loading.payloads = &payload;
+    loading.n_payloads = 1;
+    const armtol_question question = {.arm = &arm, .norms = &disc, .n_norms = 1, .loading = &loading};
+    check_every_allocation(&question, &region, NULL);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_memory_for_a_component);
     RUN_TEST(test_memory_for_a_norm);
+    RUN_TEST(test_memory_for_loads);
     return UNITY_END();
 }

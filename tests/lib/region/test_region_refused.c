@@ -77,23 +77,6 @@ static void test_regions_without_a_pose(void)
     check_refused(ARMTOL_NOT_SOLVED, ARMTOL_REGION_NOT_FOUND, &few);
 }
 
-static void test_drives_under_a_load(void)
-{
-    armtol_drive drives[4];
-    const armtol_mass payload = {.mass = 2};
-    armtol_loading loading = armtol_loading_standard;
-    for (int i = 0; i < 4; i++) {
-        drives[i] = arm.drives[i];
-    }
-    drives[1].compliance = 1e-5;
-    drives[1].backlash = 0;
-    arm.drives = drives;
-    loading.payloads = &payload;
-    loading.n_payloads = 1;
-    question.loading = &loading;
-    check_refused(ARMTOL_BAD_LOAD, ARMTOL_REGION_LOADED, NULL);
-}
-
 static void test_what_is_asked(void)
 {
     const armtol_enclosing fine = {.gap = 1e-9}, coarse = {.gap = 20};
@@ -161,7 +144,6 @@ int main(void)
     RUN_TEST(test_ranges_that_are_none);
     RUN_TEST(test_shapes_that_are_none);
     RUN_TEST(test_regions_without_a_pose);
-    RUN_TEST(test_drives_under_a_load);
     RUN_TEST(test_what_is_asked);
     RUN_TEST(test_tolerances_that_cannot_be);
     RUN_TEST(test_drives_that_are_the_same_everywhere);
