@@ -48,6 +48,22 @@ LANE_INLINE void unload(const real *value, double *to)
     memcpy(to, value, sizeof *value);
 }
 
+/* A lane each, so many places apart. Not by way of an array: a vector could be loaded only when all of it is stored. */
+LANE_INLINE void gather(const double *at, size_t step, real *value)
+{
+#if LANES == 1
+    (void)step;
+    *value = at[0];
+#elif LANES == 2
+    *value = (real){at[0], at[step]};
+#elif LANES == 4
+    *value = (real){at[0], at[step], at[2 * step], at[3 * step]};
+#else
+    *value = (real){at[0],        at[step],     at[2 * step], at[3 * step],
+                    at[4 * step], at[5 * step], at[6 * step], at[7 * step]};
+#endif
+}
+
 /* Whether one is less than other: all bits or none. */
 LANE_INLINE void less(const real *one, const real *other, word *mask)
 {
@@ -56,6 +72,27 @@ LANE_INLINE void less(const real *one, const real *other, word *mask)
 #else
     *mask = (word)(*one < *other);
 #endif
+}
+
+/* Whether one is no more than other; not where one of them is nan. */
+LANE_INLINE void at_most(const real *one, const real *other, word *mask)
+{
+#if LANES == 1
+    *mask = 0 - (uint64_t)(*one <= *other);
+#else
+    *mask = (word)(*one <= *other);
+#endif
+}
+
+/* Whether a mask is set in any lane. */
+LANE_INLINE bool any(const word *mask)
+{
+    uint64_t lanes[LANES], set = 0;
+    memcpy(lanes, mask, sizeof lanes);
+    for (int l = 0; l < LANES; l++) {
+        set |= lanes[l];
+    }
+    return set != 0;
 }
 
 LANE_INLINE void choose(const word *mask, const real *where_set, const real *elsewhere, real *chosen)
@@ -72,6 +109,14 @@ LANE_INLINE void make_larger(real *value, const real *other)
     word mask;
     less(value, other, &mask);
     choose(&mask, other, value, value);
+}
+
+LANE_INLINE void take_size(real *value)
+{
+    word bits;
+    memcpy(&bits, value, sizeof bits);
+    bits = bits & 0x7fffffffffffffffu;
+    memcpy(value, &bits, sizeof bits);
 }
 
 LANE_INLINE void take_root(real *value)

@@ -52,18 +52,11 @@ LANE_INLINE void near_sine_cosine(const real *angle, real *sine, real *cosine)
     memcpy(cosine, &cosine_bits, sizeof c);
 }
 
-/* Whether any angle is beyond what near_sine_cosine is for. */
-LANE_INLINE bool any_far(const real *angle)
+/* Which angles are beyond what near_sine_cosine is for. */
+LANE_INLINE void find_far(const real *angle, word *far)
 {
     const real zero = {0}, most = zero + 1e12, square = *angle * *angle;
-    word mask;
-    uint64_t lanes[LANES], any = 0;
-    less(&most, &square, &mask);
-    memcpy(lanes, &mask, sizeof lanes);
-    for (int l = 0; l < LANES; l++) {
-        any |= lanes[l];
-    }
-    return any != 0;
+    less(&most, &square, far);
 }
 
 /* What is far by libm, the others stay. */
@@ -85,8 +78,10 @@ LANE_INLINE void far_sine_cosine(const real *angle, real *sine, real *cosine)
 
 LANE_INLINE void sine_cosine(const real *angle, real *sine, real *cosine)
 {
+    word far;
     near_sine_cosine(angle, sine, cosine);
-    if (RARELY(any_far(angle))) {
+    find_far(angle, &far);
+    if (RARELY(any(&far))) {
         far_sine_cosine(angle, sine, cosine);
     }
 }

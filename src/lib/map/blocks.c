@@ -7,46 +7,44 @@
 #include "lib/map/values.h"
 #include "lib/report/finite.h"
 #include "lib/report/trigonometry.h"
-#include "lib/tool/negligible.h"
+#include "lib/tool/kernels.h"
 
 #include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 #include <stdlib.h>
 
-/* So many poses at a time that their matrices stay in a near cache. */
-enum { BLOCK = ARMTOL_POSE_BLOCK, AT_ONCE = 8 * BLOCK, ALIGNED = 64 };
+/* So many poses at a time that what is taken from them stays in a near cache. */
+enum { AT_ONCE = 8 * ARMTOL_POSE_BLOCK, ALIGNED = 64 };
 
 typedef struct work {
     const armtol_question *question;
     armtol_poses poses;
     armtol_pose_link *links;
-    bool *is_angle; /* a column of A */
+    worst_case worst;
     double *values; /* joint values, one for each link with a joint: those of a follower too */
-    double *memory, *blocks;
+    double *memory, *block;
     double reach; /* of what does not slide */
     bool plain;
 } work;
 
 static bool get_memory(work *work, size_t n_links, size_t n_columns)
 {
-    const size_t size = AT_ONCE * 6 * n_columns + ALIGNED / sizeof(double);
+    const size_t size = ARMTOL_POSE_BLOCK * 6 * n_columns + ALIGNED / sizeof(double);
     work->links = calloc(n_links, sizeof *work->links);
-    work->is_angle = calloc(n_columns, sizeof *work->is_angle);
     work->values = calloc(n_links, AT_ONCE * sizeof *work->values);
     work->memory = calloc(size, sizeof *work->memory);
-    if (work->links == NULL || work->is_angle == NULL || work->values == NULL || work->memory == NULL) {
+    if (work->links == NULL || work->values == NULL || work->memory == NULL) {
         return false;
     }
     const size_t beyond = (size_t)((uintptr_t)work->memory % ALIGNED / sizeof(double));
-    work->blocks = work->memory + (beyond > 0 ? ALIGNED / sizeof(double) - beyond : 0);
+    work->block = work->memory + (beyond > 0 ? ALIGNED / sizeof(double) - beyond : 0);
     return true;
 }
 
 static void free_memory(work *work)
 {
     free(work->links);
-    free(work->is_angle);
     free(work->values);
     free(work->memory);
 }
@@ -61,18 +59,6 @@ static double fixed_reach(const armtol_question *question)
     return reach;
 }
 
-static void find_angles(work *work, const armtol_arm *arm)
-{
-    size_t column = 0;
-    for (size_t i = 0; i < arm->n_links; i++) {
-        size_t count;
-        const armtol_parameter *parameters = armtol_kind_parameters(arm->links[i].kind, &count);
-        for (size_t k = 0; k < count; k++) {
-            work->is_angle[column++] = !armtol_parameter_is_length(parameters[k]);
-        }
-    }
-}
-
 /* Where every joint moves by itself and none slides the poses are what is needed as they are. */
 static bool is_plain(const armtol_arm *arm)
 {
@@ -83,7 +69,18 @@ static bool is_plain(const armtol_arm *arm)
     return plain;
 }
 
-static armtol_status start(work *work, const armtol_question *question)
+static worst_case case_of(const armtol_question *question, const armtol_map *map, const armtol_poses *poses)
+{
+    const size_t component = map->component;
+    worst_case worst = {.poses = poses, .tolerances = question->tolerances, .row = component};
+    if (component >= 6) {
+        worst.is_length = true;
+        worst.row = component == ARMTOL_MAP_POSITION ? 0 : 3;
+    }
+    return worst;
+}
+
+static armtol_status start(work *work, const armtol_question *question, const armtol_map *map)
 {
     static const double any[6] = {1, 1, 1, 1, 1, 1}; /* the bounds are not looked at */
     const armtol_arm *arm = question->arm;
@@ -94,7 +91,7 @@ static armtol_status start(work *work, const armtol_question *question)
     }
     work->reach = fixed_reach(question);
     work->plain = is_plain(arm);
-    find_angles(work, arm);
+    work->worst = case_of(question, map, &work->poses);
     return armtol_poses_start(&work->poses, work->links, arm->links, arm->n_links, &question->tool, any, 0.5);
 }
 
@@ -116,50 +113,6 @@ static bool take_pose(const work *work, const double q[], size_t n_joints, doubl
         }
     }
     return all_finite(values, joint) && (out || all_finite(q, n_joints));
-}
-
-/* |A| t of one row in the poses of a block, columns in their order as armtol_worst_error has them. */
-static void add_up(const work *work, const double block[], size_t row, const double reach[BLOCK], double sums[BLOCK])
-{
-    const size_t n = work->poses.n_columns;
-    double most[2][BLOCK], sum[BLOCK] = {0};
-    for (size_t l = 0; l < BLOCK; l++) {
-        most[0][l] = negligible;
-        most[1][l] = negligible * (row < 3 ? reach[l] : 1);
-    }
-    for (size_t k = 0; k < n; k++) {
-        const double *element = block + (row * n + k) * BLOCK, *least = most[work->is_angle[k]];
-        const double tolerance = work->question->tolerances[k];
-        for (size_t l = 0; l < BLOCK; l++) {
-            const double size = fabs(element[l]), part = size * tolerance; /* worked out anyway, so that lanes go
-                                                                              together */
-            sum[l] += size > least[l] ? part : 0;
-        }
-    }
-    for (size_t l = 0; l < BLOCK; l++) {
-        sums[l] = sum[l];
-    }
-}
-
-static void worst_of_block(const work *work, const armtol_map *map, const double block[], const double reach[BLOCK],
-                           double worst[BLOCK])
-{
-    const size_t component = map->component;
-    if (component < 6) {
-        add_up(work, block, component, reach, worst);
-        return;
-    }
-    double squares[BLOCK] = {0};
-    const size_t first = component == ARMTOL_MAP_POSITION ? 0 : 3;
-    for (size_t row = first; row < first + 3; row++) {
-        add_up(work, block, row, reach, worst);
-        for (size_t l = 0; l < BLOCK; l++) {
-            squares[l] += worst[l] * worst[l];
-        }
-    }
-    for (size_t l = 0; l < BLOCK; l++) {
-        worst[l] = sqrt(squares[l]);
-    }
 }
 
 /*
@@ -188,25 +141,19 @@ static const double *take_poses(work *work, const double q[], size_t n_joints, s
 }
 
 /* Up to AT_ONCE poses, from q on. *bad is the first that is not finite, or count. */
-static void do_some(work *work, const armtol_map *map, const double q[], size_t n_joints, size_t count, double values[],
-                    size_t *bad)
+static void do_some(work *work, const double q[], size_t n_joints, size_t count, double values[], size_t *bad)
 {
     double reach[AT_ONCE];
-    armtol_bounds bounds[AT_ONCE];
     const double *taken = take_poses(work, q, n_joints, count, reach, bad);
     if (taken == NULL) {
         return;
     }
-    armtol_pose_blocks(&work->poses, taken, count, work->blocks, bounds);
-    for (size_t first = 0; first < count; first += BLOCK) {
-        double worst[BLOCK];
-        worst_of_block(work, map, work->blocks + first * 6 * work->poses.n_columns, reach + first, worst);
-        for (size_t l = 0; l < BLOCK && first + l < count; l++) {
-            const size_t pose = first + l;
-            values[pose] = map_is_left_out(q + pose * n_joints, n_joints) ? (double)NAN : worst[l];
-            if (isinf(values[pose])) {
-                *bad = pose < *bad ? pose : *bad;
-            }
+    kernels_of_machine(ARMTOL_POSE_BLOCK)->worst(&work->worst, taken, count, reach, work->block, values);
+    for (size_t pose = 0; pose < count; pose++) {
+        if (map_is_left_out(q + pose * n_joints, n_joints)) {
+            values[pose] = (double)NAN;
+        } else if (!isfinite(values[pose])) {
+            *bad = pose < *bad ? pose : *bad;
         }
     }
 }
@@ -215,13 +162,13 @@ armtol_fault map_blocks(const armtol_question *question, const armtol_map *map, 
 {
     const size_t n_joints = armtol_arm_joint_count(question->arm), n = question->n_poses;
     work work;
-    const armtol_status status = start(&work, question);
+    const armtol_status status = start(&work, question, map);
     armtol_fault fault = fault_of(status, status == ARMTOL_NO_MEMORY ? ARMTOL_ABOUT_NOTHING : ARMTOL_ABOUT_ARM, 0);
     for (size_t first = 0; first < n && fault.status == ARMTOL_OK; first += AT_ONCE) {
         const size_t count = n - first < AT_ONCE ? n - first : AT_ONCE;
         const double none = 0, *q = n_joints > 0 ? question->q + first * n_joints : &none;
         size_t bad;
-        do_some(&work, map, q, n_joints, count, values + first, &bad);
+        do_some(&work, q, n_joints, count, values + first, &bad);
         fault = fault_of(bad < count ? ARMTOL_NOT_FINITE : ARMTOL_OK, ARMTOL_ABOUT_POSE, first + bad);
     }
     free_memory(&work);

@@ -9,8 +9,10 @@
  * tool point by axis x (tool point - point of the axis); one of a length moves it along the axis. The axes are z of the
  * frame before the link for theta and d, x turned by theta for a and alpha, y behind the link for beta.
  *
- * The tool point is known when all links are walked. Until then an angle's column keeps the point of its axis where the
- * motion of the tool point will be, so that no other memory is needed.
+ * The tool point is known when all links are walked. Until then the columns keep what it is waited for with, so that no
+ * other memory is needed: theta's the point before the link, where the motion of the tool point will be; theta's, alpha's
+ * and beta's their axes, in their lower halves. Every kind of link counts theta and alpha. The point of the axes of alpha
+ * and beta is the next link's, and d and a have the axes of theta and alpha.
  */
 
 /* A, or lanes of a block of them: element (i, k) of the first lane at first[i * row + k * column]. */
@@ -25,114 +27,128 @@ typedef struct setting {
     real d;
 } setting;
 
-/* The tool point, and the frame along whose axes errors are counted: NULL for the base's. */
+/* The tool point, and whether errors are counted along the axes of a frame instead of the base's. */
 typedef struct target {
     triple point;
+    bool turned;
     const frame *along;
 } target;
 
-/* Of the rows of A: of its upper three over lengths and over angles, of its lower three over angles. */
-typedef struct squares {
-    triple lengths, moving, turning;
-} squares;
+/* A link's axes but that of beta, which few links have, and how a turn about each moves the tool point. */
+typedef struct finished {
+    triple z, x, about_z, about_x;
+} finished;
 
-/* The upper half of a column (half 0) or its lower half (1). */
+/* The upper half of a column (half 0) or its lower half (1). Rows by addition: a compiler adds for 2 and scales. */
+LANE_INLINE double *half_of(const matrix_view *matrix, size_t column, size_t half)
+{
+    return matrix->first + 3 * half * matrix->row + column * matrix->column;
+}
+
 LANE_INLINE void read_half(const matrix_view *matrix, size_t column, size_t half, triple read)
 {
-    for (size_t i = 0; i < 3; i++) {
-        load(matrix->first + (3 * half + i) * matrix->row + column * matrix->column, &read[i]);
-    }
+    const double *const at = half_of(matrix, column, half);
+    load(at, &read[0]);
+    load(at + matrix->row, &read[1]);
+    load(at + 2 * matrix->row, &read[2]);
 }
 
 LANE_INLINE void write_half(const matrix_view *matrix, size_t column, size_t half, const triple written)
 {
-    for (size_t i = 0; i < 3; i++) {
-        unload(&written[i], matrix->first + (3 * half + i) * matrix->row + column * matrix->column);
-    }
+    double *const at = half_of(matrix, column, half);
+    unload(&written[0], at);
+    unload(&written[1], at + matrix->row);
+    unload(&written[2], at + 2 * matrix->row);
 }
 
-LANE_INLINE void write_column(const matrix_view *matrix, size_t column, const triple upper, const triple lower)
-{
-    if (column != NO_COLUMN) {
-        write_half(matrix, column, 0, upper);
-        write_half(matrix, column, 1, lower);
-    }
-}
-
-/* Move the frame across the link, and write the link's columns as far as they can be known. */
+/* Move the frame across the link, and write into the link's columns what can be known of them. */
 LANE_INLINE void walk_link(const armtol_pose_link *link, const setting *setting, const matrix_view *matrix,
                            frame *frame)
 {
     const real zero = {0}, a = zero + link->a;
-    const triple none = {zero, zero, zero};
     const size_t *const columns = link->columns;
-    write_column(matrix, columns[ARMTOL_THETA], frame->origin, frame->z);
-    write_column(matrix, columns[ARMTOL_D], frame->z, none);
+    write_half(matrix, columns[ARMTOL_THETA], 0, frame->origin);
+    write_half(matrix, columns[ARMTOL_THETA], 1, frame->z);
     if (link->turned) {
         turn(frame->x, frame->y, &setting->cosine, &setting->sine);
     }
     if (link->shifted) {
         advance(frame, &a, &setting->d);
     }
-    write_column(matrix, columns[ARMTOL_A], frame->x, none);
-    write_column(matrix, columns[ARMTOL_ALPHA], frame->origin, frame->x);
+    write_half(matrix, columns[ARMTOL_ALPHA], 1, frame->x);
     if (link->tilted) {
         turn_all(frame->y, frame->z, link->cos_alpha, link->sin_alpha);
     }
-    write_column(matrix, columns[ARMTOL_BETA], frame->origin, frame->y);
+    if (columns[ARMTOL_BETA] != NO_COLUMN) {
+        write_half(matrix, columns[ARMTOL_BETA], 1, frame->y);
+    }
     if (link->bent) {
         turn_all(frame->z, frame->x, link->cos_beta, link->sin_beta);
     }
 }
 
-LANE_INLINE void finish_length(const matrix_view *matrix, size_t column, const target *target, squares *squares)
+/* From a point to the tool point. */
+LANE_INLINE void way_from(const triple point, const target *target, triple way)
 {
-    if (column == NO_COLUMN) {
-        return;
-    }
-    triple v;
-    read_half(matrix, column, 0, v);
-    if (target->along != NULL) {
-        count_along(target->along, v);
-        write_half(matrix, column, 0, v);
-    }
     for (int i = 0; i < 3; i++) {
-        squares->lengths[i] += v[i] * v[i];
+        way[i] = target->point[i] - point[i];
     }
 }
 
-LANE_INLINE void finish_angle(const matrix_view *matrix, size_t column, const target *target, squares *squares)
+/* From the point before the link whose columns these are; they are not yet those of A. */
+LANE_INLINE void way_before(const size_t columns[ARMTOL_PARAMETER_COUNT], const matrix_view *matrix,
+                            const target *target, triple way)
 {
-    if (column == NO_COLUMN) {
-        return;
-    }
-    triple r, v, w;
-    read_half(matrix, column, 0, r);
-    read_half(matrix, column, 1, w);
-    for (int i = 0; i < 3; i++) {
-        r[i] = target->point[i] - r[i];
-    }
-    cross(w, r, v);
-    if (target->along != NULL) {
-        count_along(target->along, v);
-        count_along(target->along, w);
-        write_half(matrix, column, 1, w);
-    }
-    write_half(matrix, column, 0, v);
-    for (int i = 0; i < 3; i++) {
-        squares->moving[i] += v[i] * v[i];
-        squares->turning[i] += w[i] * w[i];
+    triple point;
+    read_half(matrix, columns[ARMTOL_THETA], 0, point);
+    way_from(point, target, way);
+}
+
+LANE_INLINE void finish_axis(const matrix_view *matrix, size_t column, const target *target, const triple way,
+                             triple axis, triple about)
+{
+    read_half(matrix, column, 1, axis);
+    cross(axis, way, about);
+    if (target->turned) {
+        count_along(target->along, about);
+        count_along(target->along, axis);
     }
 }
 
+/* before, after: the ways to the tool point from the points before and behind the link. */
 LANE_INLINE void finish_link(const size_t columns[ARMTOL_PARAMETER_COUNT], const matrix_view *matrix,
-                             const target *target, squares *squares)
+                             const target *target, const triple before, const triple after, finished *link)
 {
-    finish_angle(matrix, columns[ARMTOL_THETA], target, squares);
-    finish_length(matrix, columns[ARMTOL_D], target, squares);
-    finish_length(matrix, columns[ARMTOL_A], target, squares);
-    finish_angle(matrix, columns[ARMTOL_ALPHA], target, squares);
-    finish_angle(matrix, columns[ARMTOL_BETA], target, squares);
+    finish_axis(matrix, columns[ARMTOL_THETA], target, before, link->z, link->about_z);
+    finish_axis(matrix, columns[ARMTOL_ALPHA], target, after, link->x, link->about_x);
+}
+
+LANE_INLINE void write_angle(const matrix_view *matrix, size_t column, const target *target, const triple about,
+                             const triple axis)
+{
+    write_half(matrix, column, 0, about);
+    if (target->turned) {
+        write_half(matrix, column, 1, axis);
+    }
+}
+
+LANE_INLINE void write_length(const matrix_view *matrix, size_t column, const triple axis)
+{
+    const real zero = {0};
+    const triple none = {zero, zero, zero};
+    if (column != NO_COLUMN) {
+        write_half(matrix, column, 0, axis);
+        write_half(matrix, column, 1, none);
+    }
+}
+
+LANE_INLINE void write_link(const size_t columns[ARMTOL_PARAMETER_COUNT], const matrix_view *matrix,
+                            const target *target, const finished *link)
+{
+    write_angle(matrix, columns[ARMTOL_THETA], target, link->about_z, link->z);
+    write_length(matrix, columns[ARMTOL_D], link->z);
+    write_length(matrix, columns[ARMTOL_A], link->x);
+    write_angle(matrix, columns[ARMTOL_ALPHA], target, link->about_x, link->x);
 }
 
 #endif

@@ -6,6 +6,14 @@
 #include "lib/lanes/vectors.h"
 #include "lib/private_names.h"
 
+/* What is asked for of each of many poses: |A| t of a row, or the length of that of the three rows that have it. */
+typedef struct worst_case {
+    const armtol_poses *poses;
+    const double *tolerances; /* one a column */
+    size_t row;
+    bool is_length;
+} worst_case;
+
 /*
  * What is done for many poses or arms at once: a source file for each width of a vector, of which the widest that the
  * machine has is chosen when the program runs. All give the same bits.
@@ -16,6 +24,12 @@ typedef struct kernels {
                         armtol_bounds bounds[]);
     /* as armtol_sampler_draw */
     void (*draw)(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[]);
+    /*
+     * reach: of the arm in each pose, for whole blocks of poses; elements of A that are negligible (negligible.h) are
+     * left out. memory: that of a block of A.
+     */
+    void (*worst)(const worst_case *worst, const double q[], size_t n_poses, const double reach[], double memory[],
+                  double found[]);
 } kernels;
 
 extern const kernels kernels_portable; /* two lanes, or one where the compiler has no vectors */

@@ -10,6 +10,7 @@
 #define LANES 4
 #include "lib/tool/poses_kernel.h"
 #include "lib/tool/sampler_kernel.h"
+#include "lib/tool/worst_kernel.h"
 
 static void pose_blocks_avx2(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                              armtol_bounds bounds[])
@@ -22,7 +23,13 @@ static void draw_avx2(const armtol_sampler *sampler, uint64_t first, size_t coun
     draw(sampler, first, count, errors);
 }
 
-const kernels kernels_avx2 = {pose_blocks_avx2, draw_avx2};
+static void worst_avx2(const worst_case *worst, const double q[], size_t n_poses, const double reach[],
+                       double memory[], double found[])
+{
+    worst_blocks(worst, q, n_poses, reach, memory, found);
+}
+
+const kernels kernels_avx2 = {pose_blocks_avx2, draw_avx2, worst_avx2};
 
 #ifdef __clang__
 #pragma clang attribute pop

@@ -7,6 +7,7 @@
 #endif
 #include "lib/tool/poses_kernel.h"
 #include "lib/tool/sampler_kernel.h"
+#include "lib/tool/worst_kernel.h"
 
 static void pose_blocks_portable(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                                  armtol_bounds bounds[])
@@ -19,4 +20,10 @@ static void draw_portable(const armtol_sampler *sampler, uint64_t first, size_t 
     draw(sampler, first, count, errors);
 }
 
-const kernels kernels_portable = {pose_blocks_portable, draw_portable};
+static void worst_portable(const worst_case *worst, const double q[], size_t n_poses, const double reach[],
+                           double memory[], double found[])
+{
+    worst_blocks(worst, q, n_poses, reach, memory, found);
+}
+
+const kernels kernels_portable = {pose_blocks_portable, draw_portable, worst_portable};

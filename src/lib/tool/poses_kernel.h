@@ -1,48 +1,28 @@
 #ifndef ARMTOL_LIB_TOOL_POSES_KERNEL_H
 #define ARMTOL_LIB_TOOL_POSES_KERNEL_H
 
-#include "lib/lanes/sincos.h"
-#include "lib/tool/columns.h"
+#include "lib/tool/poses_walk.h"
 
 /* A with its bounds in many poses (lanes.h). */
 
-/* joint: where the values of the link's joint stand, from q of each pose on. */
-LANE_INLINE void set_joint(const armtol_pose_link *link, const double *const q[LANES], size_t joint,
-                                  setting *setting)
-{
-    const real zero = {0};
-    setting->cosine = zero + link->cos_theta;
-    setting->sine = zero + link->sin_theta;
-    setting->d = zero + link->d;
-    if (link->joint == ARMTOL_FIXED) {
-        return;
-    }
-    double lanes[LANES];
-    for (int l = 0; l < LANES; l++) {
-        lanes[l] = q[l][joint];
-    }
-    real value;
-    load(lanes, &value);
-    if (link->joint == ARMTOL_REVOLUTE) {
-        value = value + link->theta;
-        sine_cosine(&value, &setting->sine, &setting->cosine);
-    } else {
-        setting->d = setting->d + value;
-    }
-}
+/* Of the rows of A: of its upper three over lengths and over angles, of its lower three over angles. */
+typedef struct squares {
+    triple lengths, moving, turning;
+} squares;
 
 /*
  * The least over rows of tolerance / root of squares is scale / root of the largest weight squares, with
  * weight (scale / tolerance)^2: one root and one division instead of one a row.
  */
-LANE_INLINE void angle_bound(const armtol_poses *poses, const real squares[6], real *bound)
+LANE_INLINE void angle_bound(const armtol_poses *poses, const squares *squares, real *bound)
 {
     const real zero = {0};
     real largest = zero, sum = zero;
     for (int i = 0; i < 6; i++) {
-        const real weighted = squares[i] * poses->angle_weights[i];
+        const real square = i < 3 ? squares->moving[i] : squares->turning[i - 3];
+        const real weighted = square * poses->angle_weights[i];
         make_larger(&largest, &weighted);
-        sum += squares[i];
+        sum += square;
     }
     largest += sum * 0; /* a comparison passes nan over, a sum does not */
     take_root(&largest);
@@ -73,21 +53,74 @@ LANE_INLINE void length_bound(const armtol_poses *poses, const real lengths[3], 
     *bound = 1 / largest;
 }
 
+LANE_INLINE void add_squares(const triple of, triple sums)
+{
+    for (int i = 0; i < 3; i++) {
+        sums[i] += of[i] * of[i];
+    }
+}
+
+LANE_INLINE void square_link(const size_t columns[ARMTOL_PARAMETER_COUNT], const finished *link, squares *squares)
+{
+    add_squares(link->about_z, squares->moving);
+    add_squares(link->z, squares->turning);
+    if (columns[ARMTOL_D] != NO_COLUMN) {
+        add_squares(link->z, squares->lengths);
+    }
+    if (columns[ARMTOL_A] != NO_COLUMN) {
+        add_squares(link->x, squares->lengths);
+    }
+    add_squares(link->about_x, squares->moving);
+    add_squares(link->x, squares->turning);
+}
+
+LANE_INLINE void finish_links(const armtol_poses *poses, const matrix_view *matrix, const target *target,
+                              squares *squares)
+{
+    const size_t n = poses->n_links;
+    triple before, after;
+    way_before(poses->links[0].columns, matrix, target, before);
+    for (size_t i = 0; i < n; i++) {
+        const size_t *const columns = poses->links[i].columns;
+        finished link;
+        if (i + 1 < n) {
+            way_before(poses->links[i + 1].columns, matrix, target, after);
+        } else {
+            way_from(target->along->origin, target, after);
+        }
+        finish_link(columns, matrix, target, before, after, &link);
+        write_link(columns, matrix, target, &link);
+        square_link(columns, &link, squares);
+        if (columns[ARMTOL_BETA] != NO_COLUMN) {
+            triple y, about_y;
+            finish_axis(matrix, columns[ARMTOL_BETA], target, after, y, about_y);
+            write_angle(matrix, columns[ARMTOL_BETA], target, about_y, y);
+            add_squares(about_y, squares->moving);
+            add_squares(y, squares->turning);
+        }
+        copy_triple(after, before);
+    }
+}
+
 /* The second half: the frame has come to the end of the chain. */
 LANE_INLINE void finish_poses(const armtol_poses *poses, const frame *last, const matrix_view *matrix,
                               armtol_bounds bounds[LANES])
 {
-    const real zero = {0};
-    target target = {.along = poses->tool.frame == ARMTOL_TOOL_FRAME ? last : NULL};
-    squares squares = {{zero, zero, zero}, {zero, zero, zero}, {zero, zero, zero}};
+    target target = {.along = last};
+    squares squares;
+    set_triple(0, 0, 0, squares.lengths);
+    set_triple(0, 0, 0, squares.moving);
+    set_triple(0, 0, 0, squares.turning);
     point_of(last, poses->tool.offset, target.point);
-    for (size_t i = 0; i < poses->n_links; i++) {
-        finish_link(poses->links[i].columns, matrix, &target, &squares);
+    if (poses->tool.frame == ARMTOL_TOOL_FRAME) {
+        target.turned = true;
+        finish_links(poses, matrix, &target, &squares);
+    } else {
+        target.turned = false;
+        finish_links(poses, matrix, &target, &squares);
     }
-    real of_angles[6], angle, distance;
-    memcpy(of_angles, squares.moving, sizeof squares.moving);
-    memcpy(of_angles + 3, squares.turning, sizeof squares.turning);
-    angle_bound(poses, of_angles, &angle);
+    real angle, distance;
+    angle_bound(poses, &squares, &angle);
     length_bound(poses, squares.lengths, squares.moving, &angle, &distance);
     double distances[LANES], angles[LANES];
     unload(&distance, distances);
@@ -97,20 +130,11 @@ LANE_INLINE void finish_poses(const armtol_poses *poses, const frame *last, cons
     }
 }
 
-LANE_INLINE void some_poses(const armtol_poses *poses, const double *const q[LANES], const matrix_view *matrix,
+LANE_INLINE void some_poses(const armtol_poses *poses, const lane_poses *at, const matrix_view *matrix,
                             armtol_bounds bounds[LANES])
 {
-    const armtol_transform base = armtol_transform_identity();
     frame frame;
-    size_t joint = 0;
-    put_frame(&base, &frame);
-    for (size_t i = 0; i < poses->n_links; i++) {
-        const armtol_pose_link *const link = &poses->links[i];
-        setting setting;
-        set_joint(link, q, joint, &setting);
-        walk_link(link, &setting, matrix, &frame);
-        joint += link->joint != ARMTOL_FIXED;
-    }
+    walk_poses(poses, at, matrix, &frame);
     finish_poses(poses, &frame, matrix, bounds);
 }
 
@@ -123,14 +147,12 @@ LANE_INLINE void pose_blocks(const armtol_poses *poses, const double q[], size_t
                              armtol_bounds bounds[])
 {
     for (size_t first = 0; first < n_poses; first += BLOCK) {
-        const double *poses_q[BLOCK];
         armtol_bounds some[BLOCK];
-        for (size_t l = 0; l < BLOCK; l++) {
-            poses_q[l] = q + least(first + l, n_poses - 1) * poses->n_joints;
-        }
-        for (int l = 0; l < BLOCK; l += LANES) {
+        for (size_t l = 0; l < BLOCK; l += LANES) {
+            const size_t here = least(first + l, n_poses - 1);
+            const lane_poses at = {q + here * poses->n_joints, poses->n_joints, n_poses - 1 - here};
             const matrix_view matrix = {blocks + first * 6 * poses->n_columns + l, BLOCK * poses->n_columns, BLOCK};
-            some_poses(poses, poses_q + l, &matrix, some + l);
+            some_poses(poses, &at, &matrix, some + l);
         }
         memcpy(bounds + first, some, least(BLOCK, n_poses - first) * sizeof some[0]);
     }

@@ -32,12 +32,27 @@ static void walk(const armtol_link links[], size_t n_links, const matrix_view *m
 
 static void finish(const armtol_link links[], size_t n_links, const target *target, const matrix_view *matrix)
 {
-    squares unused = {{0}, {0}, {0}};
-    size_t column = 0;
+    size_t column = 0, columns[2][ARMTOL_PARAMETER_COUNT];
+    triple before, after;
+    columns_of_link(links[0].kind, &column, columns[0]);
+    way_before(columns[0], matrix, target, before);
     for (size_t i = 0; i < n_links; i++) {
-        size_t columns[ARMTOL_PARAMETER_COUNT];
-        columns_of_link(links[i].kind, &column, columns);
-        finish_link(columns, matrix, target, &unused);
+        const size_t *const here = columns[i % 2];
+        finished link;
+        if (i + 1 < n_links) {
+            columns_of_link(links[i + 1].kind, &column, columns[(i + 1) % 2]);
+            way_before(columns[(i + 1) % 2], matrix, target, after);
+        } else {
+            way_from(target->along->origin, target, after);
+        }
+        finish_link(here, matrix, target, before, after, &link);
+        write_link(here, matrix, target, &link);
+        if (here[ARMTOL_BETA] != NO_COLUMN) {
+            triple y, about_y;
+            finish_axis(matrix, here[ARMTOL_BETA], target, after, y, about_y);
+            write_angle(matrix, here[ARMTOL_BETA], target, about_y, y);
+        }
+        copy_triple(after, before);
     }
 }
 
@@ -53,7 +68,7 @@ armtol_status armtol_tool_matrix(const armtol_link links[], size_t n_links, cons
     frame frame;
     put_frame(&base, &frame);
     walk(links, n_links, &view, &frame);
-    target target = {.along = tool->frame == ARMTOL_TOOL_FRAME ? &frame : NULL};
+    target target = {.turned = tool->frame == ARMTOL_TOOL_FRAME, .along = &frame};
     point_of(&frame, tool->offset, target.point);
     finish(links, n_links, &target, &view);
     return all_finite(matrix, 6 * n_columns) ? ARMTOL_OK : ARMTOL_NOT_FINITE;

@@ -363,6 +363,22 @@ static void test_what_is_wrong_is_said(void)
     TEST_ASSERT_EQUAL_STRING("?", armtol_map_value_name(ARMTOL_MAP_VALUE_COUNT));
 }
 
+/* |y| t is more than a number can be in one pose. */
+static void test_a_worst_case_that_overflows_is_said(void)
+{
+    armtol_link far[LINKS];
+    const armtol_map worst = {.value = ARMTOL_MAP_WORST, .component = 0};
+    make_flat();
+    memcpy(far, flat, sizeof far);
+    far[0].a = 1e308;
+    two.arm.links = far;
+    two.tolerances[0] = 10;
+    for (size_t p = 0; p < GRID; p++) {
+        two.q[2 * p] = p == 123 ? 1 : 0;
+    }
+    check_fault(&worst, ARMTOL_NOT_FINITE, ARMTOL_ABOUT_POSE, 123);
+}
+
 /* Play that takes more than the accuracy leaves no tolerance. */
 static void test_where_nothing_is_left_the_tolerance_is_0(void)
 {
@@ -672,6 +688,7 @@ int main(void)
     RUN_TEST(test_the_largest_of_all_loads_counts);
     RUN_TEST(test_a_pose_out_of_reach_has_no_value);
     RUN_TEST(test_what_is_wrong_is_said);
+    RUN_TEST(test_a_worst_case_that_overflows_is_said);
     RUN_TEST(test_where_nothing_is_left_the_tolerance_is_0);
     RUN_TEST(test_two_flat_links_reach_a_ring);
     RUN_TEST(test_a_seam_lies_where_the_arm_changes_its_elbow);

@@ -1,9 +1,11 @@
 #include "armtol/column_order.h"
+#include "armtol/corners.h"
 #include "armtol/poses.h"
 #include "armtol/robots.h"
 #include "armtol/tool_matrix.h"
 
 #include "lib/tool/kernels.h"
+#include "lib/tool/negligible.h"
 #include "support/check.h"
 #include "support/random.h"
 #include "unity.h"
@@ -182,6 +184,91 @@ static void test_a_pose_has_the_same_bits_in_any_block_and_alone(void)
 }
 
 /* Angles beyond 1e6 are libm's; those of other poses beside them are not. */
+/* |A| t by the matrix of the placed links, less what is negligible; of a pose's row, or the length of three. */
+static double worst_expected(const armtol_poses *poses, const double joints[], const double tolerances[], size_t row,
+                             bool is_length)
+{
+    double squares = 0;
+    size_t n;
+    expect(poses, joints, &n);
+    armtol_tool_matrix_clear(placed, poses->n_links, &poses->tool, expected, n);
+    for (size_t i = row; i < row + 3 && is_length; i++) {
+        const double worst = armtol_worst_error(expected, n, i, tolerances);
+        squares += worst * worst;
+    }
+    return is_length ? sqrt(squares) : armtol_worst_error(expected, n, row, tolerances);
+}
+
+/* The stretched chain and the tool's offset: what negligible is a part of. */
+static double reach_of_placed(const armtol_poses *poses, const double joints[])
+{
+    const double *offset = poses->tool.offset;
+    double reach = sqrt(offset[0] * offset[0] + offset[1] * offset[1] + offset[2] * offset[2]);
+    armtol_links_place(links, poses->n_links, joints, poses->n_joints, &armtol_errata_none, placed);
+    for (size_t i = 0; i < poses->n_links; i++) {
+        reach += sqrt(placed[i].a * placed[i].a + placed[i].d * placed[i].d);
+    }
+    return reach;
+}
+
+static void check_worst_of(const kernels *kernels, const worst_case *worst, size_t n_poses)
+{
+    double reach[ARMTOL_POSE_BLOCKS(MOST_POSES) * ARMTOL_POSE_BLOCK] = {0}, found[MOST_POSES + 1];
+    const armtol_poses *poses = worst->poses;
+    for (size_t p = 0; p < n_poses; p++) {
+        reach[p] = reach_of_placed(poses, q + p * poses->n_joints);
+    }
+    found[n_poses] = 42;
+    kernels->worst(worst, q, n_poses, reach, blocks, found);
+    for (size_t p = 0; p < n_poses; p++) {
+        const double *joints = q + p * poses->n_joints;
+        check_same(worst_expected(poses, joints, worst->tolerances, worst->row, worst->is_length), found[p],
+                   "pose %zu of %zu, row %zu, %d", p, n_poses, worst->row, worst->is_length);
+    }
+    check_same(42, found[n_poses], "behind the last pose");
+}
+
+/* Arms of links of all kinds and joints; every width of vectors that this machine has. */
+static void test_the_worst_case_of_many_poses_is_that_of_each(void)
+{
+    double tolerances[MOST_COLUMNS];
+    for (size_t k = 0; k < MOST_COLUMNS; k++) {
+        tolerances[k] = 1e-3 * (double)(k % 7 + 1);
+    }
+    for (uint64_t seed = 0; seed < 12; seed++) {
+        const armtol_tool_point tool = {{3, 4, 5}, (armtol_frame)(seed % 2)};
+        armtol_poses poses;
+        start(&poses, random_arm(seed, 3 + seed), &tool);
+        for (size_t asked = 0; asked < 8; asked++) {
+            const bool is_length = asked >= 6;
+            const worst_case worst = {&poses, tolerances, is_length ? 3 * (asked - 6) : asked, is_length};
+            for (int lanes = 2; lanes <= ARMTOL_POSE_BLOCK; lanes *= 2) {
+                check_worst_of(kernels_of_machine(lanes), &worst, 1 + (seed + asked) % MOST_POSES);
+            }
+        }
+    }
+}
+
+/* Elements up to the edge are what rounding left of a 0; just above it they count. */
+static void test_what_is_negligible_is_left_out_of_the_worst_case(void)
+{
+    static const double tolerances[2 * 4] = {1, 1, 1, 1, 1, 1, 1, 1};
+    const armtol_tool_point tool = armtol_tool_origin;
+    links[0] = (armtol_link){.kind = ARMTOL_NPR, .joint = ARMTOL_REVOLUTE};
+    links[1] = (armtol_link){.kind = ARMTOL_NPR, .joint = ARMTOL_FIXED};
+    for (int more = 0; more < 2; more++) {
+        armtol_poses poses;
+        const double part = negligible * (more ? 1.5 : 0.5), reach[ARMTOL_POSE_BLOCK] = {0};
+        double found;
+        links[0].theta = part;
+        q[0] = 0;
+        start(&poses, 2, &tool);
+        const worst_case worst = {&poses, tolerances, 1, false};
+        kernels_of_machine(ARMTOL_POSE_BLOCK)->worst(&worst, q, 1, reach, blocks, &found);
+        check_same(more ? 2 * part : 0, found, "the y of two x axes that are turned by %g", part);
+    }
+}
+
 static void test_a_far_angle_leaves_its_neighbours_alone(void)
 {
     static const armtol_tool_point tool = {{30, -20, 70}, ARMTOL_BASE_FRAME};
@@ -323,6 +410,8 @@ int main(void)
     RUN_TEST(test_every_row_can_set_the_bounds);
     RUN_TEST(test_a_pose_is_the_matrix_and_the_bounds_of_the_placed_links);
     RUN_TEST(test_a_pose_has_the_same_bits_in_any_block_and_alone);
+    RUN_TEST(test_the_worst_case_of_many_poses_is_that_of_each);
+    RUN_TEST(test_what_is_negligible_is_left_out_of_the_worst_case);
     RUN_TEST(test_a_far_angle_leaves_its_neighbours_alone);
     RUN_TEST(test_no_poses_are_no_work);
     RUN_TEST(test_sines_and_cosines_are_within_a_unit_in_the_last_place);
