@@ -15,13 +15,6 @@ LANE_INLINE void set_triple(double x, double y, double z, triple triple)
     triple[2] = zero + z;
 }
 
-LANE_INLINE void copy_triple(const triple from, triple to)
-{
-    for (int i = 0; i < 3; i++) {
-        to[i] = from[i];
-    }
-}
-
 LANE_INLINE void cross(const triple one, const triple other, triple product)
 {
     for (int i = 0; i < 3; i++) {

@@ -9,10 +9,10 @@
  * tool point by axis x (tool point - point of the axis); one of a length moves it along the axis. The axes are z of the
  * frame before the link for theta and d, x turned by theta for a and alpha, y behind the link for beta.
  *
- * The tool point is known when all links are walked. Until then the columns keep what it is waited for with, so that no
- * other memory is needed: theta's the point before the link, where the motion of the tool point will be; theta's, alpha's
- * and beta's their axes, in their lower halves. Every kind of link counts theta and alpha. The point of the axes of alpha
- * and beta is the next link's, and d and a have the axes of theta and alpha.
+ * The tool point is known when all links are walked. Until then A keeps what is needed then, so that no other memory is:
+ * the columns of theta, alpha and beta their axes, in their lower halves, and that of theta the point before the link
+ * in its upper half. Every kind of link counts theta and alpha. The axes of alpha and beta go through the point before
+ * the next link; d and a have the axes of theta and alpha.
  */
 
 /* A, or lanes of a block of them: element (i, k) of the first lane at first[i * row + k * column]. */
@@ -33,11 +33,6 @@ typedef struct target {
     bool turned;
     const frame *along;
 } target;
-
-/* A link's axes but that of beta, which few links have, and how a turn about each moves the tool point. */
-typedef struct finished {
-    triple z, x, about_z, about_x;
-} finished;
 
 /* The upper half of a column (half 0) or its lower half (1). Rows by addition: a compiler adds for 2 and scales. */
 LANE_INLINE double *half_of(const matrix_view *matrix, size_t column, size_t half)
@@ -104,6 +99,7 @@ LANE_INLINE void way_before(const size_t columns[ARMTOL_PARAMETER_COUNT], const 
     way_from(point, target, way);
 }
 
+/* The axis of an angle's column, and how a turn about it moves the tool point, to which `way` leads from the axis. */
 LANE_INLINE void finish_axis(const matrix_view *matrix, size_t column, const target *target, const triple way,
                              triple axis, triple about)
 {
@@ -115,40 +111,20 @@ LANE_INLINE void finish_axis(const matrix_view *matrix, size_t column, const tar
     }
 }
 
-/* before, after: the ways to the tool point from the points before and behind the link. */
-LANE_INLINE void finish_link(const size_t columns[ARMTOL_PARAMETER_COUNT], const matrix_view *matrix,
-                             const target *target, const triple before, const triple after, finished *link)
-{
-    finish_axis(matrix, columns[ARMTOL_THETA], target, before, link->z, link->about_z);
-    finish_axis(matrix, columns[ARMTOL_ALPHA], target, after, link->x, link->about_x);
-}
-
-LANE_INLINE void write_angle(const matrix_view *matrix, size_t column, const target *target, const triple about,
-                             const triple axis)
-{
-    write_half(matrix, column, 0, about);
-    if (target->turned) {
-        write_half(matrix, column, 1, axis);
-    }
-}
-
-LANE_INLINE void write_length(const matrix_view *matrix, size_t column, const triple axis)
+/* The columns of an angle and of the length along its axis, if that is counted. */
+LANE_INLINE void write_axis(const matrix_view *matrix, size_t angle, size_t length, const target *target,
+                            const triple axis, const triple about)
 {
     const real zero = {0};
     const triple none = {zero, zero, zero};
-    if (column != NO_COLUMN) {
-        write_half(matrix, column, 0, axis);
-        write_half(matrix, column, 1, none);
+    write_half(matrix, angle, 0, about);
+    if (target->turned) {
+        write_half(matrix, angle, 1, axis);
     }
-}
-
-LANE_INLINE void write_link(const size_t columns[ARMTOL_PARAMETER_COUNT], const matrix_view *matrix,
-                            const target *target, const finished *link)
-{
-    write_angle(matrix, columns[ARMTOL_THETA], target, link->about_z, link->z);
-    write_length(matrix, columns[ARMTOL_D], link->z);
-    write_length(matrix, columns[ARMTOL_A], link->x);
-    write_angle(matrix, columns[ARMTOL_ALPHA], target, link->about_x, link->x);
+    if (length != NO_COLUMN) {
+        write_half(matrix, length, 0, axis);
+        write_half(matrix, length, 1, none);
+    }
 }
 
 #endif

@@ -4,7 +4,8 @@
 #ifdef __clang__
 #pragma clang attribute push(__attribute__((target("avx512f,avx512dq"))), apply_to = function)
 #else
-#pragma GCC target("avx512f,avx512dq,tune=generic,prefer-vector-width=512") /* no gathers: many processors are slow at them */
+/* No gathers: many processors are slow at them. Whole vectors, where the compiler is told of a processor too. */
+#pragma GCC target("avx512f,avx512dq,tune=generic,prefer-vector-width=512")
 #endif
 
 #define LANES 8

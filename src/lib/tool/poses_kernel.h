@@ -60,45 +60,38 @@ LANE_INLINE void add_squares(const triple of, triple sums)
     }
 }
 
-LANE_INLINE void square_link(const size_t columns[ARMTOL_PARAMETER_COUNT], const finished *link, squares *squares)
+/* An axis after the other: of more at once the compiler would have too few registers. */
+LANE_INLINE void complete_axis(const matrix_view *matrix, size_t angle, size_t length, const target *target,
+                               const triple way, squares *squares)
 {
-    add_squares(link->about_z, squares->moving);
-    add_squares(link->z, squares->turning);
-    if (columns[ARMTOL_D] != NO_COLUMN) {
-        add_squares(link->z, squares->lengths);
+    triple axis, about;
+    finish_axis(matrix, angle, target, way, axis, about);
+    write_axis(matrix, angle, length, target, axis, about);
+    add_squares(about, squares->moving);
+    add_squares(axis, squares->turning);
+    if (length != NO_COLUMN) {
+        add_squares(axis, squares->lengths);
     }
-    if (columns[ARMTOL_A] != NO_COLUMN) {
-        add_squares(link->x, squares->lengths);
-    }
-    add_squares(link->about_x, squares->moving);
-    add_squares(link->x, squares->turning);
 }
 
 LANE_INLINE void finish_links(const armtol_poses *poses, const matrix_view *matrix, const target *target,
                               squares *squares)
 {
     const size_t n = poses->n_links;
-    triple before, after;
-    way_before(poses->links[0].columns, matrix, target, before);
+    triple way;
+    way_before(poses->links[0].columns, matrix, target, way);
     for (size_t i = 0; i < n; i++) {
         const size_t *const columns = poses->links[i].columns;
-        finished link;
+        complete_axis(matrix, columns[ARMTOL_THETA], columns[ARMTOL_D], target, way, squares);
         if (i + 1 < n) {
-            way_before(poses->links[i + 1].columns, matrix, target, after);
+            way_before(poses->links[i + 1].columns, matrix, target, way);
         } else {
-            way_from(target->along->origin, target, after);
+            way_from(target->along->origin, target, way);
         }
-        finish_link(columns, matrix, target, before, after, &link);
-        write_link(columns, matrix, target, &link);
-        square_link(columns, &link, squares);
+        complete_axis(matrix, columns[ARMTOL_ALPHA], columns[ARMTOL_A], target, way, squares);
         if (columns[ARMTOL_BETA] != NO_COLUMN) {
-            triple y, about_y;
-            finish_axis(matrix, columns[ARMTOL_BETA], target, after, y, about_y);
-            write_angle(matrix, columns[ARMTOL_BETA], target, about_y, y);
-            add_squares(about_y, squares->moving);
-            add_squares(y, squares->turning);
+            complete_axis(matrix, columns[ARMTOL_BETA], NO_COLUMN, target, way, squares);
         }
-        copy_triple(after, before);
     }
 }
 

@@ -30,29 +30,33 @@ static void walk(const armtol_link links[], size_t n_links, const matrix_view *m
     }
 }
 
+static void complete_axis(const matrix_view *matrix, size_t angle, size_t length, const target *target,
+                          const triple way)
+{
+    triple axis, about;
+    finish_axis(matrix, angle, target, way, axis, about);
+    write_axis(matrix, angle, length, target, axis, about);
+}
+
 static void finish(const armtol_link links[], size_t n_links, const target *target, const matrix_view *matrix)
 {
     size_t column = 0, columns[2][ARMTOL_PARAMETER_COUNT];
-    triple before, after;
+    triple way;
     columns_of_link(links[0].kind, &column, columns[0]);
-    way_before(columns[0], matrix, target, before);
+    way_before(columns[0], matrix, target, way);
     for (size_t i = 0; i < n_links; i++) {
         const size_t *const here = columns[i % 2];
-        finished link;
+        complete_axis(matrix, here[ARMTOL_THETA], here[ARMTOL_D], target, way);
         if (i + 1 < n_links) {
             columns_of_link(links[i + 1].kind, &column, columns[(i + 1) % 2]);
-            way_before(columns[(i + 1) % 2], matrix, target, after);
+            way_before(columns[(i + 1) % 2], matrix, target, way);
         } else {
-            way_from(target->along->origin, target, after);
+            way_from(target->along->origin, target, way);
         }
-        finish_link(here, matrix, target, before, after, &link);
-        write_link(here, matrix, target, &link);
+        complete_axis(matrix, here[ARMTOL_ALPHA], here[ARMTOL_A], target, way);
         if (here[ARMTOL_BETA] != NO_COLUMN) {
-            triple y, about_y;
-            finish_axis(matrix, here[ARMTOL_BETA], target, after, y, about_y);
-            write_angle(matrix, here[ARMTOL_BETA], target, about_y, y);
+            complete_axis(matrix, here[ARMTOL_BETA], NO_COLUMN, target, way);
         }
-        copy_triple(after, before);
     }
 }
 

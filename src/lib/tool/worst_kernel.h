@@ -25,51 +25,48 @@ LANE_INLINE void add_column(const triple elements, double tolerance, const real 
     }
 }
 
-/* The columns of lengths are in the linear rows alone; d of two parallel axes that slide comes before theta. */
-LANE_INLINE void add_link(const size_t columns[ARMTOL_PARAMETER_COUNT], const double tolerances[],
-                          const finished *link, const smallest *least, bool linear, triple sums)
+/*
+ * The columns of an angle and of the length along its axis in their order, on which a sum depends. linear: for the upper
+ * three rows, else for the lower three, in which a length has nothing; a constant, for the compiler to leave that out.
+ */
+LANE_INLINE void add_axis(const worst_case *worst, const matrix_view *matrix, size_t angle, size_t length,
+                          const target *target, const triple way, const smallest *least, bool linear, triple sums)
 {
-    const size_t theta = columns[ARMTOL_THETA], d = columns[ARMTOL_D], a = columns[ARMTOL_A];
-    const bool d_first = d < theta;
-    if (linear && d_first) {
-        add_column(link->z, tolerances[d], &least->axis, sums);
+    const double *const tolerances = worst->tolerances;
+    triple axis, about;
+    finish_axis(matrix, angle, target, way, axis, about);
+    if (!linear) {
+        add_column(axis, tolerances[angle], &least->axis, sums);
+        return;
     }
-    add_column(linear ? link->about_z : link->z, tolerances[theta], linear ? &least->about : &least->axis, sums);
-    if (linear && !d_first && d != NO_COLUMN) {
-        add_column(link->z, tolerances[d], &least->axis, sums);
+    if (length < angle) {
+        add_column(axis, tolerances[length], &least->axis, sums);
     }
-    if (linear && a != NO_COLUMN) {
-        add_column(link->x, tolerances[a], &least->axis, sums);
+    add_column(about, tolerances[angle], &least->about, sums);
+    if (length > angle && length != NO_COLUMN) {
+        add_column(axis, tolerances[length], &least->axis, sums);
     }
-    add_column(linear ? link->about_x : link->x, tolerances[columns[ARMTOL_ALPHA]],
-               linear ? &least->about : &least->axis, sums);
 }
 
-/* linear: the upper three rows, else the lower three. A constant, for the compiler to leave out the others. */
 LANE_INLINE void add_links(const worst_case *worst, const matrix_view *matrix, const target *target,
                            const smallest *least, bool linear, triple sums)
 {
     const armtol_pose_link *const links = worst->poses->links;
     const size_t n = worst->poses->n_links;
-    triple before, after;
-    way_before(links[0].columns, matrix, target, before);
+    triple way;
+    way_before(links[0].columns, matrix, target, way);
     for (size_t i = 0; i < n; i++) {
         const size_t *const columns = links[i].columns;
-        finished link;
+        add_axis(worst, matrix, columns[ARMTOL_THETA], columns[ARMTOL_D], target, way, least, linear, sums);
         if (i + 1 < n) {
-            way_before(links[i + 1].columns, matrix, target, after);
+            way_before(links[i + 1].columns, matrix, target, way);
         } else {
-            way_from(target->along->origin, target, after);
+            way_from(target->along->origin, target, way);
         }
-        finish_link(columns, matrix, target, before, after, &link);
-        add_link(columns, worst->tolerances, &link, least, linear, sums);
+        add_axis(worst, matrix, columns[ARMTOL_ALPHA], columns[ARMTOL_A], target, way, least, linear, sums);
         if (columns[ARMTOL_BETA] != NO_COLUMN) {
-            triple y, about_y;
-            finish_axis(matrix, columns[ARMTOL_BETA], target, after, y, about_y);
-            add_column(linear ? about_y : y, worst->tolerances[columns[ARMTOL_BETA]],
-                       linear ? &least->about : &least->axis, sums);
+            add_axis(worst, matrix, columns[ARMTOL_BETA], NO_COLUMN, target, way, least, linear, sums);
         }
-        copy_triple(after, before);
     }
 }
 
