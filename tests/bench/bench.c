@@ -79,8 +79,8 @@ int main(void)
         fprintf(stderr, "armtol_bench: cannot start a thread\n");
         return EXIT_FAILURE;
     }
-    printf("two threads draw %.2f times as many samples as one by the clock, %.2f by the longer one's processor time\n\n",
-           gain.by_clock, gain.by_processor);
+    printf("two threads draw %.2f times as many samples as one by the clock, %.2f by processor time\n\n", gain.by_clock,
+           gain.by_processor);
     if (!enclosure_print()) {
         fprintf(stderr, "armtol_bench: the largest error of a region is not enclosed\n");
         return EXIT_FAILURE;

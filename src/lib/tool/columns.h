@@ -9,10 +9,10 @@
  * tool point by axis x (tool point - point of the axis); one of a length moves it along the axis. The axes are z of the
  * frame before the link for theta and d, x turned by theta for a and alpha, y behind the link for beta.
  *
- * The tool point is known when all links are walked. Until then A keeps what is needed then, so that no other memory is:
- * the columns of theta, alpha and beta their axes, in their lower halves, and that of theta the point before the link
- * in its upper half. Every kind of link counts theta and alpha. The axes of alpha and beta go through the point before
- * the next link; d and a have the axes of theta and alpha.
+ * The tool point is known when all links are walked. Until then A keeps what is needed then, so that no other memory
+ * is: the columns of theta, alpha and beta their axes, in their lower halves, and that of theta the point before the
+ * link in its upper half. Every kind of link counts theta and alpha. The axes of alpha and beta go through the point
+ * before the next link; d and a have the axes of theta and alpha.
  */
 
 /* A, or lanes of a block of them: element (i, k) of the first lane at first[i * row + k * column]. */

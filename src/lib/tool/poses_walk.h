@@ -71,8 +71,8 @@ LANE_INLINE void walk_links(const armtol_poses *poses, const lane_poses *at, con
 }
 
 /*
- * The frame at the end of the chain, and in the matrix what finish_axis needs. Angles that are far are rare: whether there
- * are any is asked once, when all is done.
+ * The frame at the end of the chain, and in the matrix what finish_axis needs. Angles that are far are rare: whether
+ * there are any is asked once, when all is done.
  */
 LANE_INLINE void walk_poses(const armtol_poses *poses, const lane_poses *at, const matrix_view *matrix, frame *frame)
 {

@@ -26,8 +26,9 @@ LANE_INLINE void add_column(const triple elements, double tolerance, const real 
 }
 
 /*
- * The columns of an angle and of the length along its axis in their order, on which a sum depends. linear: for the upper
- * three rows, else for the lower three, in which a length has nothing; a constant, for the compiler to leave that out.
+ * The columns of an angle and of the length along its axis in their order, on which a sum depends. linear: for the
+ * upper three rows, else for the lower three, in which a length has nothing; a constant, for the compiler to leave that
+ * out.
  */
 LANE_INLINE void add_axis(const worst_case *worst, const matrix_view *matrix, size_t angle, size_t length,
                           const target *target, const triple way, const smallest *least, bool linear, triple sums)
