@@ -21,9 +21,9 @@ typedef struct armtol_part {
 
 /* One component of the tool's error, the largest of all poses. Magnitudes; infinite where nothing bounds them. */
 typedef struct armtol_predicted {
-    double worst;      /* |A s| + sum over |A| t, s what loads shift the joints by */
+    double worst;      /* |A s| + sum over |A| t, s what the parameters are shifted by: loads, means */
     double shift;      /* |A s|: the mean of the error */
-    double deviation;  /* the standard deviation about it, every error being even within its tolerance */
+    double deviation;  /* the standard deviation about it, errors being spread as the question says */
     double remainder;  /* what the exact error can differ from A's by (armtol_remainder), rounding included */
     double binds;      /* the share of the optimum that this component's limit holds down, over all poses */
     size_t worst_pose; /* where `worst` is largest, the first of several */
@@ -74,7 +74,11 @@ typedef struct armtol_answer {
                            known the largest of all poses and loads */
     double *bounded;    /* n_poses x n_columns: the same, pose by pose, with 0 for infinity: what is not bounded counts
                            as exact */
-    double *shifts;     /* n_poses x n_columns: what the drives shift the parameters by, 0 but for motors */
+    double *shifts;     /* n_poses x n_columns: what the parameters are shifted by: motors by drives, and all by what the
+                           question says of their means */
+    armtol_error_spread *spreads; /* n_columns: the question's, or zeros */
+    double *factors;    /* n_columns: sqrt 3 times the standard deviation for a tolerance of 1: 1 of a uniform error */
+    size_t *leaders;    /* n_columns: the first column of the same group; its own number for one by itself */
     double *moments;    /* n_poses x n_links: N m about the joints, N along those that slide */
     armtol_drive_arrival *arrivals; /* n_poses x n_links: the part of the half widths that is drawn at each arrival; 0
                                        where a drive is not known, or apart */
@@ -85,7 +89,9 @@ typedef struct armtol_answer {
     double *held;       /* n_columns: the share of the optimum that the column's largest, or (negative) least, holds */
     size_t n_held;      /* the shares of norms, direction by direction; they sum up to what `binds` of the norms does */
     armtol_held_direction *held_directions; /* n_held, the largest share first */
-    bool loaded;        /* some shift is not 0 */
+    bool loaded;        /* some shift by a drive is not 0 */
+    bool shifted;       /* some shift is not 0 */
+    bool grouped;       /* some column has another leader than itself */
     armtol_part *parts; /* n_links */
     armtol_predicted components[6];
     armtol_bounds bounds; /* ARMTOL_METHOD_SPHERE, tolerances asked for: the two radii; else 0 */
@@ -116,7 +122,8 @@ typedef struct armtol_answer {
  *    The half width is the motor's tolerance there; one that the question gives counts instead where it is larger. The
  *    optimum is that of
  *        |A| t <= e - |A s| - |A| t_given   in every component, pose and load, least <= t <= largest,
- *    or with ARMTOL_METHOD_RSS of sigma sqrt(sum (A t)^2 / 3) <= e - |A s|. It is exact to first order, s included: the
+ *    or with ARMTOL_METHOD_RSS of sigma sqrt(sum v (A t)^2) <= e - |A s|, v the variance for a tolerance of 1, 1/3 of
+ *    an error that is uniform. It is exact to first order, s included: the
  *    remainder is that of a box about the arm as meant which holds all that drives and tolerances can do together, of
  *    half widths |s| + t.
  * 4) By method sphere what is given takes its part from the accuracy in the same way, the most of all poses and loads;
@@ -124,15 +131,18 @@ typedef struct armtol_answer {
  * 5) Where nothing is left for what is asked the status is ARMTOL_NOTHING_LEFT. The same question with given
  *    tolerances, 0 for those, tells the sources apart (armtol_budget_create).
  * 6) Norms. The optimum is that of |u'A s| + |u'A| t <= limit for every unit vector u of the norm's components as well,
- *    or with ARMTOL_METHOD_RSS of |u'A s| + sigma sqrt(sum (u'A t)^2 / 3) <= limit: sigma standard deviations of every
+ *    or with ARMTOL_METHOD_RSS of |u'A s| + sigma sqrt(sum v (u'A t)^2) <= limit: sigma standard deviations of every
  *    direction. It is found by cuts (cuts.c): to 1e-10 of the limit, and never beyond it. By method sphere there
  *    are no norms; given tolerances are held against them by any.
  * 7) Discs. Alpha and beta of a disc are off by no more than its radius together: with g that radius, they are good for
  *    g sqrt(A_alpha^2 + A_beta^2) in the worst case of a row, and for g^2 / 4 each in a variance; a tolerance t of its
  *    own is for |A| t and t^2 / 3. The worst case of a norm with discs is no less than the truth, and nearly
  *    always to 1e-12 of it (farthest_round.c). The remainder is that of the square about the disc.
- * 8) The same question has the same answer to the bit on every machine with IEEE arithmetic.
- * 9) Questions may be answered on several threads at once. Memory comes from calloc and realloc; no other state is
+ * 8) Spreads. The mean of an error is a shift like those of drives, and |A t| counts about it, so that worst cases know
+ *    nothing of distributions. Deviations have the true variances. Errors of a group are one: v (sum A t)^2 with the
+ *    signs of A is the part of the whole. By method rss no tolerances are found for them, since such a sum may be 0.
+ * 9) The same question has the same answer to the bit on every machine with IEEE arithmetic.
+ * 10) Questions may be answered on several threads at once. Memory comes from calloc and realloc; no other state is
  *    kept.
  *
  * Errors:
@@ -148,6 +158,9 @@ typedef struct armtol_answer {
  *    ARMTOL_BAD_WEIGHT      about the weights: one that is not > 0 and finite
  *    ARMTOL_BAD_RANGE       about the ranges: not 0 <= least <= largest, the least finite; about the method: a range
  *                           that is not one value, by method sphere; a least that is not 0 where tolerances are given
+ *    ARMTOL_BAD_SPREAD      about the spreads: one that is not known (armtol_spread_is_known), or unlike the first of its
+ *                           group; by method rss a column that has its group in common with others, and a tolerance
+ *                           that is asked for
  *    ARMTOL_BAD_LOAD        about the loading: a mass < 0, a share that is not 0 to 1; about the drives: a number < 0,
  *                           or compliance where neither masses nor loads nor `moment` say what it bears
  *    ARMTOL_NOTHING_LEFT    about a row, or a norm's place

@@ -58,6 +58,7 @@
 #include "armtol/map.h"
 #include "armtol/question.h"
 #include "armtol/share_interval.h"
+#include "armtol/spread.h"
 #include "armtol/tally.h"
 #include "armtol/verification.h"
 #include "armtol/region.h"

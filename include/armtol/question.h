@@ -4,6 +4,7 @@
 #include "armtol/arm.h"
 #include "armtol/interface.h"
 #include "armtol/norm.h"
+#include "armtol/spread.h"
 #include "armtol/status.h"
 #include "armtol/tool_point.h"
 
@@ -47,6 +48,8 @@ typedef struct armtol_question {
     const double *least;      /* a column of A, each >= 0 and finite: no tolerance is found below it; NULL: 0 each */
     const double *largest;    /* a column of A, each >= the least: none is found above it; NULL: infinity each. Where
                                  both are the same the tolerance is given: 0 is exact */
+    const armtol_error_spread *spreads; /* a column of A: how its error is distributed about what mean (spread.h); NULL:
+                                     uniform about 0 each. Worst cases know of it the shifts alone */
     const armtol_loading *loading; /* NULL: armtol_loading_standard */
     bool drives_apart; /* the drives that the arm names, and what loads them, are in no error; else they are: note 3 of
                           answer.h */
@@ -66,6 +69,7 @@ typedef enum armtol_subject {
     ARMTOL_ABOUT_WEIGHTS,    /* the column's */
     ARMTOL_ABOUT_TOLERANCES, /* the column's */
     ARMTOL_ABOUT_RANGES,     /* the column's: least and largest */
+    ARMTOL_ABOUT_SPREADS,    /* the column's */
     ARMTOL_ABOUT_DRIVES,     /* the link's */
     ARMTOL_ABOUT_LOADING,    /* gravity, force, share; or a payload */
     ARMTOL_ABOUT_ROW,        /* the row of A: 6 for each pose and load of the answer */

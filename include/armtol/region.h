@@ -152,8 +152,9 @@ typedef enum armtol_region_fault {
  * 8) The same question has the same answer to the bit on every machine with IEEE arithmetic. No threads are begun.
  *
  * Errors:
- *    those of armtol_answer_create; ARMTOL_BAD_RANGE where *why is ARMTOL_REGION_RANGE, ARMTOL_REGION_SHAPE or
- *    ARMTOL_REGION_GAP; ARMTOL_OUT_OF_REACH for ARMTOL_REGION_EMPTY, ARMTOL_NOT_SOLVED for ARMTOL_REGION_NOT_FOUND;
+ *    those of armtol_answer_create; ARMTOL_BAD_SPREAD where the question has spreads, which a region does not know;
+ *    ARMTOL_BAD_RANGE where *why is ARMTOL_REGION_RANGE, ARMTOL_REGION_SHAPE or ARMTOL_REGION_GAP;
+ *    ARMTOL_OUT_OF_REACH for ARMTOL_REGION_EMPTY, ARMTOL_NOT_SOLVED for ARMTOL_REGION_NOT_FOUND;
  *    ARMTOL_BAD_QUESTION for ARMTOL_REGION_METHOD and ARMTOL_REGION_DISCS;
  *    ARMTOL_UNBOUNDED about an accuracy or a norm that depends on a tolerance without a bound
  *

@@ -3,6 +3,7 @@
 
 #include "armtol/interface.h"
 #include "armtol/link.h"
+#include "armtol/spread.h"
 #include "armtol/tool_point.h"
 
 #include <stdbool.h>
@@ -12,8 +13,8 @@
 ARMTOL_INTERFACE_BEGIN
 
 /*
- * Arms drawn at random: every parameter of arm i is off by a draw that is uniform within its tolerance and
- * depends on the seed, i and the parameter's column alone: not on what was drawn before, on the machine or on
+ * Arms drawn at random: every parameter of arm i is off by a draw that is uniform within its tolerance, or spread as
+ * armtol_sampler_spread says, and depends on the seed, i and the parameter's column alone: not on what was drawn before, on the machine or on
  * the number of threads. Once a sampler is started its arithmetic calls nothing of libm but what rounds
  * exactly (where no tolerance of an angle is more than 1e6), so that machines agree to the bit.
  */
@@ -33,6 +34,9 @@ typedef struct armtol_sampled_link {
     size_t columns[ARMTOL_PARAMETER_COUNT];
     uint64_t steps[ARMTOL_PARAMETER_COUNT]; /* of the generator, from an arm's first draw on */
     double disc; /* the radius of the disc that alpha and beta are drawn in; 0 where there is none */
+
+    /* Of those that are not uniform, else of no use. */
+    armtol_shape shapes[ARMTOL_PARAMETER_COUNT];
 } armtol_sampled_link;
 
 typedef struct armtol_sampler {
@@ -43,6 +47,7 @@ typedef struct armtol_sampler {
     armtol_transform meant; /* where the last frame should be */
     armtol_transform start; /* its inverse: a chain that starts there ends in the error, seen from the tool */
     bool large_errors;      /* a tolerance of an angle is too large for the short series of sine and cosine */
+    bool shaped;            /* some draw is not uniform */
     bool large_turn;        /* all angles' together are too large for the series of the rotation vector */
     uint64_t seed;
     uint64_t key; /* the seed, mixed */
@@ -94,11 +99,26 @@ void armtol_sampler_aim(armtol_sampler *sampler, const armtol_link meant[]);
 void armtol_sampler_discs(const armtol_sampler *sampler, armtol_sampled_link prepared[], const bool discs[]);
 
 /*
+ * Have the errors of a started sampler distributed otherwise than uniformly, and groups of them drawn as one.
+ *
+ * Given:
+ *    spreads    one a column, known (armtol_spread_is_known); only read. Of the shift nothing is read: what is drawn is
+ *               about the links that the sampler was started with
+ *
+ * Returned:
+ *    *sampler, prepared    those of armtol_sampler_start
+ *
+ * Notes:
+ * 1) The draw of a column is that of the first column of its group. So what is uniform and by itself is drawn as before.
+ */
+void armtol_sampler_spread(armtol_sampler *sampler, armtol_sampled_link prepared[], const armtol_error_spread spreads[]);
+
+/*
  * One draw.
  *
  * Given:
  *    seed
- *    number   arm i takes number i * n_columns + k for its parameter of column k
+ *    number   arm i takes number i * n_columns + k for its parameter of column k, and for those of a group that k leads
  *
  * Returned (function value):
  *    uniform in [-1, 1)

@@ -28,6 +28,7 @@ typedef enum armtol_status {
     ARMTOL_NOTHING_LEFT,    /* what is given exceeds the accuracy by itself */
     ARMTOL_BAD_NORM,        /* a norm that is not of two or three lengths or angles, or a method without norms */
     ARMTOL_BAD_GRADE,       /* a name that is no tolerance grade */
+    ARMTOL_BAD_SPREAD,      /* a distribution that is none, a group of unlike ones, or what cannot be asked of them */
     ARMTOL_STATUS_COUNT     /* the number of the above, itself no status */
 } armtol_status;
 

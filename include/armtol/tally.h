@@ -100,12 +100,13 @@ typedef enum armtol_tally_subject {
     ARMTOL_TALLY_ARM,        /* links, placed in every pose and load */
     ARMTOL_TALLY_TOOL,       /* the tool's point and the frame of the components */
     ARMTOL_TALLY_TOLERANCES, /* what every parameter is drawn within */
-    ARMTOL_TALLY_LOADS,      /* what loads shift the joints by */
+    ARMTOL_TALLY_LOADS,      /* what loads shift the joints by, and means all parameters */
+    ARMTOL_TALLY_SPREADS,    /* how errors are distributed, and which are drawn as one */
     ARMTOL_TALLY_ACCURACY,   /* what arms are held against, remainders and ranges of histograms included */
     ARMTOL_TALLY_SUBJECT_COUNT
 } armtol_tally_subject;
 
-/* "arm", "tool", "tolerances", "loads", "accuracy"; "?" for a value that is none. */
+/* "arm", "tool", "tolerances", "loads", "distributions", "accuracy"; "?" for a value that is none. */
 const char *armtol_tally_subject_name(armtol_tally_subject subject);
 
 /*

@@ -68,8 +68,6 @@
 #define discs_corner armtol_private_discs_corner
 #define discs_count armtol_private_discs_count
 #define discs_have armtol_private_discs_have
-#define discs_rss armtol_private_discs_rss
-#define discs_rss_part armtol_private_discs_rss_part
 #define discs_worst armtol_private_discs_worst
 #define discs_worst_part armtol_private_discs_worst_part
 #define draw_arms armtol_private_draw_arms
@@ -88,7 +86,6 @@
 #define map_answers armtol_private_map_answers
 #define map_blocks armtol_private_map_blocks
 #define map_is_left_out armtol_private_map_is_left_out
-#define norm_discs_rss armtol_private_norm_discs_rss
 #define norm_discs_workspace armtol_private_norm_discs_workspace
 #define norm_discs_worst armtol_private_norm_discs_worst
 #define pose_link_of armtol_private_pose_link_of
@@ -167,5 +164,15 @@
 #define where_excludes armtol_private_where_excludes
 #define where_holds armtol_private_where_holds
 #define where_nearest armtol_private_where_nearest
+#define answer_take_spreads armtol_private_answer_take_spreads
+#define normal_cut_variance armtol_private_normal_cut_variance
+#define normal_half armtol_private_normal_half
+#define normal_of_half armtol_private_normal_of_half
+#define normal_of_tail armtol_private_normal_of_tail
+#define normal_tail armtol_private_normal_tail
+#define spread_norm armtol_private_spread_norm
+#define spread_part armtol_private_spread_part
+#define spread_rss armtol_private_spread_rss
+#define spread_shared armtol_private_spread_shared
 
 #endif

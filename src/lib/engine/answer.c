@@ -9,6 +9,7 @@
 #include "lib/norms/answer_norms.h"
 #include "lib/norms/discs.h"
 #include "lib/norms/norm_discs.h"
+#include "lib/spread/answer_spread.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -24,7 +25,7 @@ static void predict_component(const armtol_answer *answer, size_t pose, size_t i
     const bool has_bound = isfinite(armtol_worst_error(matrix, n, i, answer->tolerances));
     const double shift = fabs(armtol_answer_shift(answer, pose, i));
     const double worst = has_bound ? shift + discs_worst(row, n, bounded, discs) : (double)INFINITY;
-    const double deviation = has_bound ? discs_rss(row, n, bounded, discs) / sqrt(3) : (double)INFINITY;
+    const double deviation = has_bound ? spread_rss(answer, row, bounded) / sqrt(3) : (double)INFINITY;
     if (worst > component->worst) {
         component->worst_pose = pose;
     }
@@ -76,13 +77,17 @@ static bool get_memory(armtol_answer *answer)
     answer->held = calloc(n, sizeof *answer->held);
     answer->discs = calloc(n, sizeof *answer->discs);
     answer->parts = calloc(answer->n_links, sizeof *answer->parts);
+    answer->spreads = calloc(n, sizeof *answer->spreads);
+    answer->factors = calloc(n, sizeof *answer->factors);
+    answer->leaders = calloc(n, sizeof *answer->leaders);
     return answer->tolerances != NULL && answer->bounded != NULL && answer->shifts != NULL && answer->moments != NULL &&
            answer->arrivals != NULL && answer->droops != NULL && answer->remainders != NULL &&
-           answer->given != NULL && answer->held != NULL && answer->discs != NULL && answer->parts != NULL;
+           answer->given != NULL && answer->held != NULL && answer->discs != NULL && answer->parts != NULL &&
+           answer->spreads != NULL && answer->factors != NULL && answer->leaders != NULL;
 }
 
 /* What is said of a column counts in every pose, unless a drive has told it and it is no more than that. */
-static void spread(armtol_answer *answer, size_t column, double tolerance, bool driven)
+static void set_tolerance(armtol_answer *answer, size_t column, double tolerance, bool driven)
 {
     if (driven && !(tolerance > answer->tolerances[column])) {
         return;
@@ -98,9 +103,9 @@ static void take_given(armtol_answer *answer, const armtol_question *question)
     for (size_t k = 0; k < answer->n_columns; k++) {
         const bool driven = answer->given[k];
         if (question->tolerances != NULL) {
-            spread(answer, k, question->tolerances[k], driven);
+            set_tolerance(answer, k, question->tolerances[k], driven);
         } else if (driven || question_gives(question, k)) {
-            spread(answer, k, question_least(question, k), driven);
+            set_tolerance(answer, k, question_least(question, k), driven);
             answer->given[k] = true;
         }
     }
@@ -110,6 +115,9 @@ static void take_discs(armtol_answer *answer, const armtol_question *question)
 {
     for (size_t k = 0; k < answer->n_columns && question->discs != NULL; k++) {
         answer->discs[k] = question->discs[k];
+        if (answer->discs[k]) {
+            answer->factors[k] = answer->factors[k + 1] = DISC_FACTOR;
+        }
     }
 }
 
@@ -118,7 +126,7 @@ static armtol_fault find_others(armtol_answer *answer, const armtol_question *qu
     const armtol_fault fault = answer_find_tolerances(answer, question);
     for (size_t k = 0; k < answer->n_columns && fault.status == ARMTOL_OK; k++) {
         if (!answer->given[k]) {
-            spread(answer, k, answer->tolerances[k], false);
+            set_tolerance(answer, k, answer->tolerances[k], false);
         }
     }
     return fault;
@@ -132,6 +140,8 @@ static armtol_fault take_tolerances(armtol_answer *answer, const armtol_question
         fault = answer_take_drives(answer, question);
     }
     if (fault.status == ARMTOL_OK) {
+        answer_find_droops(answer); /* by what drives shift alone */
+        answer_take_spreads(answer, question);
         take_given(answer, question);
         take_discs(answer, question);
     }
@@ -149,7 +159,6 @@ static armtol_fault conclude(armtol_answer *answer, const armtol_question *quest
         return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
     }
     answer_make_parts(answer, question);
-    answer_find_droops(answer);
     predict(answer, reach, workspace);
     free(reach);
     free(workspace);
@@ -221,6 +230,9 @@ void armtol_answer_destroy(armtol_answer *answer)
         free(answer->held_directions);
         free(answer->discs);
         free(answer->parts);
+        free(answer->spreads);
+        free(answer->factors);
+        free(answer->leaders);
         free(answer);
     }
 }

@@ -2,6 +2,7 @@
 
 #include "lib/norms/answer_norms.h"
 #include "lib/norms/discs.h"
+#include "lib/spread/answer_spread.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -10,7 +11,7 @@
 
 const char *armtol_role_name(armtol_role role)
 {
-    static const char *const names[ARMTOL_ROLE_COUNT] = {"machining", "motor", "load"};
+    static const char *const names[ARMTOL_ROLE_COUNT] = {"machining", "motor", "load", "shift"};
     return (size_t)role < ARMTOL_ROLE_COUNT ? names[role] : "?";
 }
 
@@ -26,9 +27,17 @@ static size_t row_of(const armtol_answer *answer, size_t column)
     return ARMTOL_ROLE_COUNT * at->link + armtol_role_of(&answer->links[at->link], at->parameter);
 }
 
-static size_t load_row_of(const armtol_answer *answer, size_t column)
+/* The row of what shifts the column: ARMTOL_LOAD or ARMTOL_SHIFT. */
+static size_t shift_row_of(const armtol_answer *answer, size_t column, armtol_role role)
 {
-    return ARMTOL_ROLE_COUNT * answer->columns[column].link + ARMTOL_LOAD;
+    return ARMTOL_ROLE_COUNT * answer->columns[column].link + role;
+}
+
+/* What a column is shifted by in that role. */
+static double shift_of(const armtol_answer *answer, size_t pose, size_t column, armtol_role role)
+{
+    const double mean = answer->spreads[column].shift;
+    return role == ARMTOL_SHIFT ? mean : armtol_answer_shifts(answer, pose)[column] - mean;
 }
 
 /* What is shared out: a component or a norm, where it is told. */
@@ -52,19 +61,22 @@ static told told_of(const armtol_answer *answer, size_t measure, double row[])
     return told;
 }
 
-/* What a column's tolerance puts into it: a magnitude, or its square. */
+/* What a column's tolerance puts into it: a magnitude, or its covariance with its group, which by itself is a square. */
 static double contribution(const told *told, size_t column)
 {
     const armtol_answer *answer = told->answer;
     const double *bounded = armtol_answer_bounded(answer, told->pose);
-    return answer->method == ARMTOL_METHOD_RSS ? discs_rss_part(told->row, column, bounded, answer->discs)
-                                               : discs_worst_part(told->row, column, bounded, answer->discs);
+    if (answer->method != ARMTOL_METHOD_RSS) {
+        return discs_worst_part(told->row, column, bounded, answer->discs);
+    }
+    return told->row[column] * bounded[column] * answer->factors[column] *
+           spread_part(answer, told->row, bounded, answer->leaders[column]);
 }
 
-/* What its shift does, positive where it adds to the whole. */
-static double contribution_of_load(const told *told, size_t column)
+/* What its shift in that role does, positive where it adds to the whole. */
+static double contribution_of_shift(const told *told, size_t column, armtol_role role)
 {
-    const double part = told->row[column] * armtol_answer_shifts(told->answer, told->pose)[column];
+    const double part = told->row[column] * shift_of(told->answer, told->pose, column, role);
     return told->shift < 0 ? -part : part;
 }
 
@@ -73,19 +85,19 @@ static double share_of(double part, double total)
     return isinf(total) ? (double)NAN : total > 0 ? part / total : 0;
 }
 
-/* The two terms of an error: what loads do, and what tolerances do, whose shares are of the sum of parts. */
+/* The two terms of an error: what shifts do, and what tolerances do, whose shares are of the sum of parts. */
 typedef struct terms {
-    double load, spread, parts;
+    double shift, spread, parts;
 } terms;
 
 static terms terms_of(const told *told)
 {
-    terms terms = {.load = fabs(told->shift)};
+    terms terms = {.shift = fabs(told->shift)};
     for (size_t k = 0; k < told->answer->n_columns; k++) {
         terms.parts += contribution(told, k);
     }
     const bool rss = told->answer->method == ARMTOL_METHOD_RSS;
-    terms.spread = rss ? told->answer->sigma * sqrt(terms.parts / 3) : terms.parts;
+    terms.spread = rss ? told->answer->sigma * sqrt(fmax(terms.parts, 0) / 3) : terms.parts;
     terms.spread = told->unbounded ? (double)INFINITY : terms.spread;
     return terms;
 }
@@ -95,19 +107,30 @@ static double *place_of(double components[6], double norms[ARMTOL_MOST_NORMS], s
     return measure < 6 ? &components[measure] : &norms[measure - 6];
 }
 
+static void add_shift(armtol_budget *budget, const told *told, double total, size_t k, armtol_role role)
+{
+    const size_t m = told->measure;
+    armtol_budget_row *row = &budget->rows[shift_row_of(told->answer, k, role)];
+    const double share = share_of(contribution_of_shift(told, k, role), total);
+    *place_of(row->shares, row->norm_shares, m) += share;
+    if (role == ARMTOL_LOAD) {
+        *place_of(budget->loads, budget->norm_loads, m) += share;
+    } else {
+        *place_of(budget->shifts, budget->norm_shifts, m) += share;
+    }
+}
+
 static void add_column(armtol_budget *budget, const told *told, const terms *terms, size_t k)
 {
     const size_t m = told->measure;
     armtol_budget_row *row = &budget->rows[row_of(told->answer, k)];
-    armtol_budget_row *load_row = &budget->rows[load_row_of(told->answer, k)];
-    const double total = terms->load + terms->spread;
+    const double total = terms->shift + terms->spread;
     const double of_spread = share_of(contribution(told, k), isinf(total) ? total : terms->parts);
-    const double share = terms->load > 0 ? of_spread * share_of(terms->spread, total) : of_spread;
-    const double load = share_of(contribution_of_load(told, k), total);
+    const double share = terms->shift > 0 ? of_spread * share_of(terms->spread, total) : of_spread;
     *place_of(row->shares, row->norm_shares, m) += share;
     *place_of(budget->motors, budget->norm_motors, m) += row->role == ARMTOL_MOTOR ? share : 0;
-    *place_of(load_row->shares, load_row->norm_shares, m) += load;
-    *place_of(budget->loads, budget->norm_loads, m) += load;
+    add_shift(budget, told, total, k, ARMTOL_LOAD);
+    add_shift(budget, told, total, k, ARMTOL_SHIFT);
 }
 
 static void add_measure(armtol_budget *budget, const armtol_answer *answer, size_t measure, double row[])
@@ -119,11 +142,11 @@ static void add_measure(armtol_budget *budget, const armtol_answer *answer, size
     }
 }
 
-static bool is_shifted(const armtol_answer *answer, size_t column)
+static bool is_shifted(const armtol_answer *answer, size_t column, armtol_role role)
 {
     bool shifted = false;
     for (size_t pose = 0; pose < answer->n_poses; pose++) {
-        shifted = shifted || armtol_answer_shifts(answer, pose)[column] != 0;
+        shifted = shifted || shift_of(answer, pose, column, role) != 0;
     }
     return shifted;
 }
@@ -133,8 +156,10 @@ static void drop_empty_rows(armtol_budget *budget, const armtol_answer *answer)
 {
     for (size_t k = 0; k < answer->n_columns; k++) {
         budget->rows[row_of(answer, k)].link = answer->columns[k].link;
-        if (is_shifted(answer, k)) {
-            budget->rows[load_row_of(answer, k)].link = answer->columns[k].link;
+        for (armtol_role role = ARMTOL_LOAD; role < ARMTOL_ROLE_COUNT; role++) {
+            if (is_shifted(answer, k, role)) {
+                budget->rows[shift_row_of(answer, k, role)].link = answer->columns[k].link;
+            }
         }
     }
     for (size_t i = 0; i < ARMTOL_ROLE_COUNT * answer->n_links; i++) {

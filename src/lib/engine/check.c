@@ -118,6 +118,28 @@ static bool is_disc(const armtol_question *question, size_t k)
            question_least(question, k) == question_least(question, k + 1);
 }
 
+/* Whether a column's spread can be that of an error, and is that of its group. */
+static bool is_spread(const armtol_question *question, size_t column)
+{
+    const armtol_error_spread *of = &question->spreads[column];
+    size_t k = 0;
+    while (of->group != 0 && question->spreads[k].group != of->group) {
+        k++;
+    }
+    const armtol_error_spread *first = of->group != 0 ? &question->spreads[k] : of;
+    return armtol_spread_is_known(of) && of->distribution == first->distribution &&
+           (of->distribution != ARMTOL_NORMAL || of->sigmas == first->sigmas);
+}
+
+/* What is even in a disc has no other distribution, and no group. */
+static bool is_even_in_disc(const armtol_question *question, size_t column)
+{
+    const bool *discs = question->discs;
+    const bool in_disc = discs != NULL && (discs[column] || (column > 0 && discs[column - 1]));
+    const armtol_error_spread *of = &question->spreads[column];
+    return !in_disc || (of->distribution == ARMTOL_UNIFORM && of->group == 0);
+}
+
 armtol_fault question_check_columns(const armtol_question *question, size_t n_columns)
 {
     for (size_t k = 0; k < n_columns; k++) {
@@ -132,6 +154,9 @@ armtol_fault question_check_columns(const armtol_question *question, size_t n_co
         }
         if (question->discs != NULL && question->discs[k] && !is_disc(question, k)) {
             return fault_of(ARMTOL_BAD_TOLERANCE, ARMTOL_ABOUT_DISCS, k);
+        }
+        if (question->spreads != NULL && (!is_spread(question, k) || !is_even_in_disc(question, k))) {
+            return fault_of(ARMTOL_BAD_SPREAD, ARMTOL_ABOUT_SPREADS, k);
         }
     }
     return fault_of(ARMTOL_OK, ARMTOL_ABOUT_NOTHING, 0);

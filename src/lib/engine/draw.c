@@ -182,7 +182,7 @@ static armtol_status run_workers(work *work, tally *tally)
     return ARMTOL_OK;
 }
 
-/* The arm as drives and loads shift it, about which arms are drawn. */
+/* The arm as drives, loads and means shift it, about which arms are drawn. */
 static void shift_links(const armtol_answer *answer, size_t pose, armtol_link shifted[])
 {
     const double *shifts = armtol_answer_shifts(answer, pose);
@@ -196,17 +196,20 @@ armtol_status draw_start_sampler(const armtol_answer *answer, size_t pose, const
                                  armtol_link shifted[], armtol_sampled_link links[], armtol_sampler *sampler)
 {
     const armtol_link *meant = armtol_answer_links(answer, pose);
-    if (answer->loaded) {
+    if (answer->shifted) {
         shift_links(answer, pose, shifted);
     }
     const armtol_status status =
-        armtol_sampler_start(sampler, links, answer->loaded ? shifted : meant, answer->n_links,
+        armtol_sampler_start(sampler, links, answer->shifted ? shifted : meant, answer->n_links,
                              tolerances, answer->n_columns, &answer->tool, seed);
     if (status == ARMTOL_OK) {
         armtol_sampler_discs(sampler, links, answer->discs);
     }
-    if (status == ARMTOL_OK && answer->loaded) {
+    if (status == ARMTOL_OK && answer->shifted) {
         armtol_sampler_aim(sampler, meant);
+    }
+    if (status == ARMTOL_OK) {
+        armtol_sampler_spread(sampler, links, answer->spreads);
     }
     return status;
 }

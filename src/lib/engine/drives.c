@@ -148,6 +148,7 @@ static armtol_status take_drive(armtol_answer *answer, const armtol_question *qu
     answer->tolerances[k] = fmax(answer->tolerances[k], offset.half);
     answer->given[k] = true;
     answer->loaded = answer->loaded || offset.shift != 0;
+    answer->shifted = answer->loaded;
     return isfinite(offset.shift) && isfinite(offset.half) ? ARMTOL_OK : ARMTOL_NOT_FINITE;
 }
 

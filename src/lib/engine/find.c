@@ -6,6 +6,7 @@
 #include "lib/engine/parts.h"
 #include "lib/norms/cuts.h"
 #include "lib/norms/discs.h"
+#include "lib/spread/answer_spread.h"
 
 #include <math.h>
 #include <stdbool.h>
@@ -137,12 +138,18 @@ static const double *whole_row(const rows *rows, const armtol_answer *answer, si
                                     : rows->cuts.rows + (row - rows->n_components) * answer->n_columns;
 }
 
+/* What a tolerance counts in sums by the method. */
+static double factor_of(const armtol_answer *answer, size_t column)
+{
+    return answer->method == ARMTOL_METHOD_RSS ? answer->factors[column] : 1;
+}
+
 static void pack_row(rows *rows, const armtol_answer *answer, size_t row)
 {
     const double *whole = whole_row(rows, answer, row);
     double *packed = rows->matrix + row * rows->n_free;
     for (size_t j = 0; j < rows->n_free; j++) {
-        packed[j] = whole[rows->free_columns[j]];
+        packed[j] = whole[rows->free_columns[j]] * factor_of(answer, rows->free_columns[j]);
     }
 }
 
@@ -154,7 +161,7 @@ static bool is_rss(const armtol_question *question)
 /*
  * Method rss: an error that is even within its tolerance t has the standard deviation t / sqrt(3), so that sigma
  * standard deviations of a component are within its limit when the root of the summed squares is within
- * limit sqrt(3) / sigma. What is given takes its part: of the sum, or of the sum of squares.
+ * limit sqrt(3) / sigma; of an error that is spread otherwise t counts by its factor. What is given takes its part: of the sum, or of the sum of squares.
  */
 static double left_of(const rows *rows, const armtol_answer *answer, size_t row, double accuracy)
 {
@@ -170,7 +177,7 @@ static double left_of(const rows *rows, const armtol_answer *answer, size_t row,
     if (answer->method != ARMTOL_METHOD_RSS) {
         return left - discs_worst(whole, n, given, answer->discs);
     }
-    const double limit = left * sqrt(3) / answer->sigma, used = discs_rss(whole, n, given, answer->discs);
+    const double limit = left * sqrt(3) / answer->sigma, used = spread_rss(answer, whole, given);
     return used == 0 ? limit : used < limit ? sqrt(limit - used) * sqrt(limit + used) : limit - used;
 }
 
@@ -292,7 +299,8 @@ static double pull_of(const armtol_answer *answer, const armtol_question *questi
     double pull = 0;
     for (size_t row = 0; row < rows->n_rows; row++) {
         if (rows->multipliers[row] > 0) {
-            const double part = fabs(whole_row(rows, answer, row)[column]) * least / rows->limits[row];
+            const double effect = fabs(whole_row(rows, answer, row)[column]) * factor_of(answer, column);
+            const double part = effect * least / rows->limits[row];
             pull += rows->multipliers[row] * (is_rss(question) ? part * part : part);
         }
     }
@@ -505,8 +513,12 @@ static armtol_fault find_sphere(armtol_answer *answer, const armtol_question *qu
 
 static armtol_fault find(armtol_answer *answer, const armtol_question *question, rows *rows)
 {
+    const size_t shared = is_rss(question) ? spread_shared(answer) : answer->n_columns;
     if (!get_rows(rows, answer, question)) {
         return fault_of(ARMTOL_NO_MEMORY, ARMTOL_ABOUT_NOTHING, 0);
+    }
+    if (shared < answer->n_columns) { /* two large errors that undo each other would be fine, and no optimum */
+        return fault_of(ARMTOL_BAD_SPREAD, ARMTOL_ABOUT_SPREADS, shared);
     }
     return question->method == ARMTOL_METHOD_SPHERE ? find_sphere(answer, question, rows)
                                                     : optimise(answer, question, rows);

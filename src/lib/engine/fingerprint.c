@@ -48,6 +48,15 @@ static void take_discs(uint64_t *hash, const armtol_answer *answer)
     }
 }
 
+static void take_spreads(uint64_t *hash, const armtol_answer *answer)
+{
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        take_word(hash, (uint64_t)answer->spreads[k].distribution);
+        take_numbers(hash, &answer->factors[k], 1);
+        take_word(hash, answer->leaders[k]);
+    }
+}
+
 static void take_limits(uint64_t *hash, const armtol_answer *answer)
 {
     tally_limits limits;
@@ -78,6 +87,9 @@ uint64_t armtol_tally_fingerprint(const armtol_answer *answer, armtol_tally_subj
     case ARMTOL_TALLY_LOADS:
         take_numbers(&hash, answer->shifts, answer->n_poses * answer->n_columns);
         break;
+    case ARMTOL_TALLY_SPREADS:
+        take_spreads(&hash, answer);
+        break;
     default:
         take_limits(&hash, answer);
     }
@@ -86,6 +98,7 @@ uint64_t armtol_tally_fingerprint(const armtol_answer *answer, armtol_tally_subj
 
 const char *armtol_tally_subject_name(armtol_tally_subject subject)
 {
-    static const char *const names[ARMTOL_TALLY_SUBJECT_COUNT] = {"arm", "tool", "tolerances", "loads", "accuracy"};
+    static const char *const names[ARMTOL_TALLY_SUBJECT_COUNT] = {"arm",   "tool",          "tolerances",
+                                                                  "loads", "distributions", "accuracy"};
     return (unsigned)subject < ARMTOL_TALLY_SUBJECT_COUNT ? names[subject] : "?";
 }

@@ -59,6 +59,9 @@ static armtol_fault find(const armtol_question *question, const armtol_map *map,
     if (question->arm == NULL || question->n_poses == 0 || !has_what_it_needs(question, map)) {
         return fault_of(ARMTOL_BAD_QUESTION, ARMTOL_ABOUT_QUESTION, 0);
     }
+    if (question->spreads != NULL) {
+        return fault_of(ARMTOL_BAD_SPREAD, ARMTOL_ABOUT_SPREADS, 0);
+    }
     if (map->value != ARMTOL_MAP_WORST) {
         return map_answers(question, map, values);
     }

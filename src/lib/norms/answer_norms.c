@@ -1,6 +1,7 @@
 #include "lib/norms/answer_norms.h"
 
 #include "lib/norms/norm_discs.h"
+#include "lib/norms/spread_norm.h"
 
 #include <float.h>
 #include <math.h>
@@ -70,13 +71,11 @@ static void predict_worst(const armtol_answer *answer, size_t pose, armtol_predi
 
 static void predict_spread(const armtol_answer *answer, size_t pose, armtol_predicted_norm *norm)
 {
-    const double *matrix = armtol_answer_matrix(answer, pose), *bounded = armtol_answer_bounded(answer, pose);
-    const size_t n = answer->n_columns;
+    const double *bounded = armtol_answer_bounded(answer, pose);
     double direction[6];
-    const double deviation = norm_discs_rss(matrix, n, norm->components, NULL, bounded, answer->discs, 1 / sqrt(3),
-                                            direction);
-    const double spread = norm_discs_rss(matrix, n, norm->components, armtol_answer_shifts(answer, pose), bounded,
-                                         answer->discs, answer->sigma / sqrt(3), direction);
+    const double deviation = spread_norm(answer, pose, norm->components, NULL, bounded, 1 / sqrt(3), direction);
+    const double spread = spread_norm(answer, pose, norm->components, armtol_answer_shifts(answer, pose), bounded,
+                                      answer->sigma / sqrt(3), direction);
     norm->of.deviation = fmax(norm->of.deviation, deviation);
     if (spread > norm->spread) {
         norm->spread = spread;

@@ -2,6 +2,7 @@
 
 #include "lib/norms/discs.h"
 #include "lib/norms/norm_discs.h"
+#include "lib/norms/spread_norm.h"
 
 #include <float.h>
 #include <math.h>
@@ -101,7 +102,7 @@ double cuts_norm(const cuts *cuts, const armtol_answer *answer, size_t norm, siz
     const size_t n = answer->n_columns;
     const bool *discs = answer->discs;
     return answer->method == ARMTOL_METHOD_RSS
-               ? norm_discs_rss(matrix, n, components, shifts, tolerances, discs, answer->sigma / sqrt(3), direction)
+               ? spread_norm(answer, pose, components, shifts, tolerances, answer->sigma / sqrt(3), direction)
                : norm_discs_worst(matrix, n, components, shifts, tolerances, discs, direction, cuts->workspace);
 }
 

@@ -38,13 +38,6 @@ double discs_worst_part(const double row[], size_t column, const double toleranc
     return discs[column] ? length(row[column], row[column + 1]) * tolerances[column] : 0;
 }
 
-double discs_rss_part(const double row[], size_t column, const double tolerances[], const bool discs[])
-{
-    const double part = part_of(row[column], tolerances[column]);
-    const double of_disc = DISC_FACTOR * part;
-    return discs_have(discs, column) ? of_disc * of_disc : part * part;
-}
-
 double discs_worst(const double row[], size_t n_columns, const double tolerances[], const bool discs[])
 {
     double sum = 0;
@@ -52,15 +45,6 @@ double discs_worst(const double row[], size_t n_columns, const double tolerances
         sum += discs_worst_part(row, k, tolerances, discs);
     }
     return sum;
-}
-
-double discs_rss(const double row[], size_t n_columns, const double tolerances[], const bool discs[])
-{
-    double sum = 0;
-    for (size_t k = 0; k < n_columns; k++) {
-        sum += discs_rss_part(row, k, tolerances, discs);
-    }
-    return sqrt(sum);
 }
 
 void discs_corner(const double row[], size_t n_columns, int sign, const double tolerances[], const bool discs[],

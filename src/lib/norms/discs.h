@@ -18,15 +18,8 @@
 /* What a column puts into the worst case of a row: a disc's is all in its first column. */
 double discs_worst_part(const double row[], size_t column, const double tolerances[], const bool discs[]);
 
-/*
- * What it puts into the sum of squares of which a third is the variance: (element x tolerance)^2 of what is even from
- * end to end; three quarters of it in a disc, where each axis has the variance radius^2 / 4.
- */
-double discs_rss_part(const double row[], size_t column, const double tolerances[], const bool discs[]);
-
-/* The sum of the first; the root of the sum of the second. */
+/* The sum of it over all columns. */
 double discs_worst(const double row[], size_t n_columns, const double tolerances[], const bool discs[]);
-double discs_rss(const double row[], size_t n_columns, const double tolerances[], const bool discs[]);
 
 /* The errors with which the row is largest (sign 1) or least (-1): of a disc the point of its rim. */
 void discs_corner(const double row[], size_t n_columns, int sign, const double tolerances[], const bool discs[],

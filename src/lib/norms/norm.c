@@ -4,6 +4,7 @@
 #include "lib/norms/farthest_ellipsoid.h"
 #include "lib/norms/farthest_round.h"
 #include "lib/norms/farthest_vertex.h"
+#include "lib/norms/spread_norm.h"
 
 #include <math.h>
 #include <string.h>
@@ -90,6 +91,7 @@ typedef struct sight {
     unsigned components;
     const double *shifts, *tolerances;
     const bool *discs;
+    const armtol_answer *spread; /* whose spreads count; NULL: none */
     double scale;     /* the largest number among shift and columns times tolerances */
     double center[3]; /* A shifts, in scales */
 } sight;
@@ -212,7 +214,7 @@ static int left_out(unsigned components)
 double norm_discs_worst(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
                         const double tolerances[], const bool discs[], double direction[6], double workspace[])
 {
-    sight sight = {matrix, n_columns, components, shifts, tolerances, discs, 0, {0, 0, 0}};
+    sight sight = {matrix, n_columns, components, shifts, tolerances, discs, NULL, 0, {0, 0, 0}};
     double vertex[3];
     memset(direction, 0, 6 * sizeof *direction);
     if (!look(&sight)) {
@@ -239,20 +241,37 @@ double armtol_worst_norm(const double matrix[], size_t n_columns, unsigned compo
 
 /* ---- standard deviations ---- */
 
-double norm_discs_rss(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
-                      const double tolerances[], const bool discs[], double factor, double direction[6])
+/* Of a column and all that it leads, by their factors; false where another one leads it, or nothing is done. */
+static bool spread_generator(const sight *sight, size_t column, double generator[3])
 {
-    sight sight = {matrix, n_columns, components, shifts, tolerances, discs, 0, {0, 0, 0}};
+    const armtol_answer *of = sight->spread;
+    double part[3];
+    if (of == NULL) {
+        return generator_of(sight, column, generator);
+    }
+    memset(generator, 0, 3 * sizeof *generator);
+    for (size_t k = column; k < (of->grouped ? sight->n_columns : column + 1); k++) {
+        if (of->leaders[k] == column && generator_of(sight, k, part)) {
+            for (int i = 0; i < 3; i++) {
+                generator[i] += part[i] * of->factors[k];
+            }
+        }
+    }
+    return largest_of(generator) > 0;
+}
+
+static double deviations_of(sight seen, double factor, double direction[6])
+{
+    sight sight = seen;
     double squares[3][3] = {{0}}, generator[3], point[3];
     memset(direction, 0, 6 * sizeof *direction);
     if (!look(&sight)) {
         return sight.scale;
     }
-    for (size_t k = 0; k < n_columns; k++) {
-        if (generator_of(&sight, k, generator)) {
-            const double of = discs_have(discs, k) ? DISC_FACTOR * factor : factor;
+    for (size_t k = 0; k < sight.n_columns; k++) {
+        if (spread_generator(&sight, k, generator)) {
             for (int i = 0; i < 9; i++) {
-                squares[i / 3][i % 3] += of * generator[i / 3] * (of * generator[i % 3]);
+                squares[i / 3][i % 3] += factor * generator[i / 3] * (factor * generator[i % 3]);
             }
         }
     }
@@ -263,5 +282,14 @@ double norm_discs_rss(const double matrix[], size_t n_columns, unsigned componen
 double armtol_rss_norm(const double matrix[], size_t n_columns, unsigned components, const double shifts[],
                        const double tolerances[], double factor, double direction[6])
 {
-    return norm_discs_rss(matrix, n_columns, components, shifts, tolerances, NULL, factor, direction);
+    return deviations_of((sight){matrix, n_columns, components, shifts, tolerances, NULL, NULL, 0, {0, 0, 0}}, factor,
+                         direction);
+}
+
+double spread_norm(const armtol_answer *answer, size_t pose, unsigned components, const double shifts[],
+                   const double tolerances[], double factor, double direction[6])
+{
+    const double *matrix = armtol_answer_matrix(answer, pose);
+    return deviations_of((sight){matrix, answer->n_columns, components, shifts, tolerances, NULL, answer, 0, {0, 0, 0}},
+                         factor, direction);
 }

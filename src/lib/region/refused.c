@@ -76,6 +76,9 @@ static region_refusal check_asked(const armtol_question *question, const armtol_
     if (question->method == ARMTOL_METHOD_SPHERE && question->tolerances == NULL) {
         return region_refusal_of(ARMTOL_BAD_QUESTION, ARMTOL_ABOUT_METHOD, 0, ARMTOL_REGION_METHOD);
     }
+    if (question->spreads != NULL) {
+        return region_refusal_of(ARMTOL_BAD_SPREAD, ARMTOL_ABOUT_SPREADS, 0, ARMTOL_REGION_FINE);
+    }
     if (how != NULL && how->gap != 0 && !(how->gap >= 1e-6 && how->gap <= 10)) {
         return region_refusal_of(ARMTOL_BAD_RANGE, ARMTOL_ABOUT_QUESTION, 0, ARMTOL_REGION_GAP);
     }

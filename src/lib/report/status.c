@@ -27,6 +27,7 @@ const char *armtol_status_text(armtol_status status)
         [ARMTOL_NOTHING_LEFT] = "what is given exceeds the accuracy by itself",
         [ARMTOL_BAD_NORM] = "a norm is not one of two or three lengths or angles, or this method has none",
         [ARMTOL_BAD_GRADE] = "no such grade; known are IT, H, h, JS and js with a number from 5 to 12",
+        [ARMTOL_BAD_SPREAD] = "a distribution is none, or a group has unlike ones or what this method cannot share out",
     };
     const size_t index = (size_t)status;
     return index < ARMTOL_STATUS_COUNT ? texts[index] : "unknown status";

@@ -30,10 +30,9 @@
 /* ---- drawing ---- */
 
 /* The upper 53 bits, over 2^52, less 1: exact. */
-static double uniform_of(uint64_t key, uint64_t number)
+static double uniform_at(uint64_t state)
 {
-    const uint64_t mixed = splitmix_mix(key + SPLITMIX_STEP * (number + 1));
-    return (double)(mixed >> 11) * 0x1p-52 - 1;
+    return (double)(splitmix_mix(state) >> 11) * 0x1p-52 - 1;
 }
 
 /* The seed is mixed too: the draws of neighbouring seeds would else be each other's, one place on. */
@@ -44,7 +43,7 @@ static uint64_t key_of(uint64_t seed)
 
 double armtol_sampler_uniform(uint64_t seed, uint64_t number)
 {
-    return uniform_of(key_of(seed), number);
+    return uniform_at(key_of(seed) + SPLITMIX_STEP * (number + 1));
 }
 
 void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, double parameter_errors[])
@@ -56,8 +55,8 @@ void armtol_sampler_parameters(const armtol_sampler *sampler, uint64_t arm, doub
         const armtol_sampled_link *const link = &sampler->links[i];
         double errors[ARMTOL_PARAMETER_COUNT];
         for (size_t k = 0; k < link->n_drawn; k++) {
-            const double draw = uniform_of(sampler->key, arm * sampler->n_columns + link->columns[k]);
-            errors[link->drawn[k]] = link->tolerances[k] * draw;
+            const uint64_t state = sampler->key + SPLITMIX_STEP * (arm * sampler->n_columns + 1) + link->steps[k];
+            errors[link->drawn[k]] = link->tolerances[k] * armtol_shape_value(&link->shapes[k], uniform_at(state));
         }
         draw_in_disc(link, errors);
         for (size_t k = 0; k < link->n_drawn; k++) {
@@ -214,4 +213,28 @@ void armtol_sampler_aim(armtol_sampler *sampler, const armtol_link meant[])
     sampler->meant = armtol_chain_transform(meant, sampler->n_links, &armtol_errata_none);
     sampler->start = armtol_transform_inverse(&sampler->meant, &armtol_errata_none);
     sampler->large_turn = true; /* nothing says how far the one is from the other */
+}
+
+/* ---- spreads ---- */
+
+static size_t first_of_group(const armtol_error_spread spreads[], size_t column)
+{
+    size_t k = 0;
+    while (k < column && (spreads[column].group == 0 || spreads[k].group != spreads[column].group)) {
+        k++;
+    }
+    return k;
+}
+
+void armtol_sampler_spread(armtol_sampler *sampler, armtol_sampled_link prepared[], const armtol_error_spread spreads[])
+{
+    for (size_t i = 0; i < sampler->n_links; i++) {
+        armtol_sampled_link *const link = &prepared[i];
+        for (size_t k = 0; k < link->n_drawn; k++) {
+            const armtol_error_spread *of = &spreads[link->columns[k]];
+            link->steps[k] = SPLITMIX_STEP * (uint64_t)first_of_group(spreads, link->columns[k]);
+            link->shapes[k] = armtol_shape_of(of);
+            sampler->shaped = sampler->shaped || of->distribution != ARMTOL_UNIFORM;
+        }
+    }
 }

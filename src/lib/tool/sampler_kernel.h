@@ -49,11 +49,33 @@ LANE_INLINE void draw_some(const armtol_sampled_link *link, size_t n, const word
     }
 }
 
+/* The same for any distribution, lane by lane. */
+LANE_INLINE void draw_shaped(const armtol_sampled_link *link, const word *state, real errors[ARMTOL_PARAMETER_COUNT])
+{
+    for (size_t k = 0; k < link->n_drawn; k++) {
+        double shares[LANES];
+        word bits = *state + link->steps[k];
+        real share;
+        bits = SPLITMIX_FIRST(bits);
+        bits = SPLITMIX_SECOND(bits);
+        bits = SPLITMIX_LAST(bits);
+        unit(&bits, &share);
+        unload(&share, shares);
+        for (int l = 0; l < LANES; l++) {
+            shares[l] = armtol_shape_value(&link->shapes[k], shares[l]);
+        }
+        load(shares, &share);
+        errors[link->drawn[k]] = share * link->tolerances[k];
+    }
+}
+
 /* Those of a link, most of which have four. What is not drawn is left as it was. */
-LANE_INLINE void draw_errors(const armtol_sampled_link *link, const word *state,
+LANE_INLINE void draw_errors(const armtol_sampled_link *link, const word *state, bool shaped,
                                     real errors[ARMTOL_PARAMETER_COUNT])
 {
-    if (link->n_drawn == 4) {
+    if (shaped) {
+        draw_shaped(link, state, errors);
+    } else if (link->n_drawn == 4) {
         draw_some(link, 4, state, errors);
     } else {
         draw_some(link, link->n_drawn, state, errors);
@@ -112,13 +134,13 @@ LANE_INLINE void length_off(const armtol_sampled_link *link, armtol_parameter pa
     }
 }
 
-LANE_INLINE void cross_link(const armtol_sampled_link *link, const word *state, bool large,
+LANE_INLINE void cross_link(const armtol_sampled_link *link, const word *state, bool large, bool shaped,
                                    frame *f)
 {
     const armtol_sampled_link *const l = link;
     const real zero = {0};
     real errors[ARMTOL_PARAMETER_COUNT], cosines[3] = {zero, zero, zero}, sines[3] = {zero, zero, zero}, a, d;
-    draw_errors(l, state, errors);
+    draw_errors(l, state, shaped, errors);
     angle_off(l, ARMTOL_THETA, l->cos_theta, l->sin_theta, errors, large, &cosines[0], &sines[0]);
     angle_off(l, ARMTOL_ALPHA, l->cos_alpha, l->sin_alpha, errors, large, &cosines[1], &sines[1]);
     angle_off(l, ARMTOL_BETA, l->cos_beta, l->sin_beta, errors, large, &cosines[2], &sines[2]);
@@ -161,7 +183,7 @@ LANE_INLINE void error_of(const armtol_sampler *sampler, const frame *frame, rea
 }
 
 /* Component i of lane l goes to errors[i * BLOCK + l]. */
-LANE_INLINE void some_arms(const armtol_sampler *sampler, uint64_t first, bool large, double errors[])
+LANE_INLINE void some_arms(const armtol_sampler *sampler, uint64_t first, bool large, bool shaped, double errors[])
 {
     uint64_t numbers[LANES];
     for (int l = 0; l < LANES; l++) {
@@ -174,7 +196,7 @@ LANE_INLINE void some_arms(const armtol_sampler *sampler, uint64_t first, bool l
     frame frame;
     put_frame(&sampler->start, &frame);
     for (size_t i = 0; i < sampler->n_links; i++) {
-        cross_link(&sampler->links[i], &state, large, &frame);
+        cross_link(&sampler->links[i], &state, large, shaped, &frame);
     }
     real error[6];
     error_of(sampler, &frame, error);
@@ -186,13 +208,14 @@ LANE_INLINE void some_arms(const armtol_sampler *sampler, uint64_t first, bool l
 /*
  * Every arm is drawn in a whole block of lanes, and so by the same arithmetic whatever is asked for with it.
  */
-LANE_INLINE void draw_blocks(const armtol_sampler *sampler, uint64_t first, size_t count, bool large, double errors[])
+LANE_INLINE void draw_blocks(const armtol_sampler *sampler, uint64_t first, size_t count, bool large, bool shaped,
+                             double errors[])
 {
     for (size_t done = 0; done < count; done += BLOCK) {
         const size_t some = count - done < BLOCK ? count - done : BLOCK;
         double block[6 * BLOCK];
         for (size_t l = 0; l < BLOCK; l += LANES) {
-            some_arms(sampler, first + done + l, large, block + l);
+            some_arms(sampler, first + done + l, large, shaped, block + l);
         }
         for (size_t i = 0; i < 6; i++) {
             memcpy(errors + i * count + done, block + i * BLOCK, some * sizeof block[0]);
@@ -200,13 +223,18 @@ LANE_INLINE void draw_blocks(const armtol_sampler *sampler, uint64_t first, size
     }
 }
 
-/* Compiled once for each way to sines: registers are not to be kept free for one that is not taken. */
+/*
+ * Compiled once for each way to sines, and for other than uniform draws, which have the sines of large errors:
+ * registers are not to be kept free for one that is not taken.
+ */
 LANE_INLINE void draw(const armtol_sampler *sampler, uint64_t first, size_t count, double errors[])
 {
-    if (sampler->large_errors) {
-        draw_blocks(sampler, first, count, true, errors);
+    if (sampler->shaped) {
+        draw_blocks(sampler, first, count, true, true, errors);
+    } else if (sampler->large_errors) {
+        draw_blocks(sampler, first, count, true, false, errors);
     } else {
-        draw_blocks(sampler, first, count, false, errors);
+        draw_blocks(sampler, first, count, false, false, errors);
     }
 }
 

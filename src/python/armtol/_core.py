@@ -34,6 +34,7 @@ _ABOUT = {
     lib.ARMTOL_ABOUT_TOLERANCES: "tolerances, column {}",
     lib.ARMTOL_ABOUT_RANGES: "given, column {}",
     lib.ARMTOL_ABOUT_DISCS: "discs, column {}",
+    lib.ARMTOL_ABOUT_SPREADS: "spreads, column {}",
     lib.ARMTOL_ABOUT_DRIVES: "the drive of link {}",
     lib.ARMTOL_ABOUT_LOADING: "loads",
     lib.ARMTOL_ABOUT_NORM_PLACE: "norm {} of a pose",

@@ -351,6 +351,56 @@ static void test_discs_have_the_same_bits_for_any_width(void)
     }
 }
 
+/* Every distribution, and groups across links. */
+static void spread_out(size_t n)
+{
+    static armtol_error_spread spreads[MOST_COLUMNS];
+    for (size_t k = 0; k < n; k++) {
+        spreads[k] = (armtol_error_spread){(armtol_distribution)(k % ARMTOL_DISTRIBUTION_COUNT), 2, 5, k % 8 == 1};
+    }
+    armtol_sampler_spread(&sampler, prepared, spreads);
+}
+
+static void test_spread_errors_are_those_of_the_definition(void)
+{
+    const armtol_tool_point tool = {{0.1, -0.2, 0.3}, ARMTOL_BASE_FRAME};
+    for (int large = 0; large < 2; large++) {
+        random_links(11, 8);
+        set_tolerances(armtol_column_count(links, 8), 0.01, large ? 0.4 : 0.001, 8);
+        spread_out(start(8, &tool, 4));
+        check_arms(8, &tool, 1000, 3e-14);
+    }
+}
+
+static void test_the_same_bits_for_any_split_of_spread_errors(void)
+{
+    random_links(7, 6);
+    set_tolerances(armtol_column_count(links, 6), 0.01, 0.001, 6);
+    spread_out(start(6, &armtol_tool_origin, 5));
+    armtol_sampler_draw(&sampler, 3, ARMS, errors);
+    for (size_t part = 1; part <= ARMS; part += part < 20 ? 1 : 13) {
+        check_split(kernels_of_machine(2 << part % 3), 3, part);
+    }
+}
+
+/* A column's part of its tolerance is the distribution's of its own draw, or of that of its group's first. */
+static void test_parameters_are_spread(void)
+{
+    random_links(2, 5);
+    set_tolerances(armtol_column_count(links, 5), 0.25, 2, 5);
+    const size_t n = start(5, &armtol_tool_origin, 17);
+    spread_out(n);
+    for (uint64_t arm = 0; arm < 50; arm++) {
+        armtol_sampler_parameters(&sampler, arm, parameters);
+        for (size_t k = 0; k < n; k++) {
+            const armtol_error_spread of = {(armtol_distribution)(k % ARMTOL_DISTRIBUTION_COUNT), 2, 0, 0};
+            const armtol_shape shape = armtol_shape_of(&of);
+            const double draw = draw_of(17, arm * n + (k % 8 == 1 ? 1 : k));
+            check_same(tolerances[k] * armtol_shape_value(&shape, draw), parameters[k], "column %zu", k);
+        }
+    }
+}
+
 static void test_other_seeds_are_other_arms(void)
 {
     random_links(7, 6);
@@ -407,6 +457,9 @@ int main(void)
     RUN_TEST(test_parameters_are_shares_of_their_tolerances);
     RUN_TEST(test_the_same_bits_for_any_split);
     RUN_TEST(test_discs_have_the_same_bits_for_any_width);
+    RUN_TEST(test_spread_errors_are_those_of_the_definition);
+    RUN_TEST(test_the_same_bits_for_any_split_of_spread_errors);
+    RUN_TEST(test_parameters_are_spread);
     RUN_TEST(test_other_seeds_are_other_arms);
     RUN_TEST(test_what_cannot_be_drawn_is_refused);
     return UNITY_END();
