@@ -74,8 +74,8 @@ typedef struct armtol_answer {
                            known the largest of all poses and loads */
     double *bounded;    /* n_poses x n_columns: the same, pose by pose, with 0 for infinity: what is not bounded counts
                            as exact */
-    double *shifts;     /* n_poses x n_columns: what the parameters are shifted by: motors by drives, and all by what the
-                           question says of their means */
+    double *shifts;     /* n_poses x n_columns: what the parameters are shifted by: motors by drives, and all by the
+                           means that the question says */
     armtol_error_spread *spreads; /* n_columns: the question's, or zeros */
     double *factors;    /* n_columns: sqrt 3 times the standard deviation for a tolerance of 1: 1 of a uniform error */
     size_t *leaders;    /* n_columns: the first column of the same group; its own number for one by itself */
@@ -158,8 +158,8 @@ typedef struct armtol_answer {
  *    ARMTOL_BAD_WEIGHT      about the weights: one that is not > 0 and finite
  *    ARMTOL_BAD_RANGE       about the ranges: not 0 <= least <= largest, the least finite; about the method: a range
  *                           that is not one value, by method sphere; a least that is not 0 where tolerances are given
- *    ARMTOL_BAD_SPREAD      about the spreads: one that is not known (armtol_spread_is_known), or unlike the first of its
- *                           group; by method rss a column that has its group in common with others, and a tolerance
+ *    ARMTOL_BAD_SPREAD      about the spreads: one that is not known (armtol_spread_is_known), or unlike the first of
+ *                           its group, or in a disc and not uniform by itself; by method rss a column that has its group in common with others, and a tolerance
  *                           that is asked for
  *    ARMTOL_BAD_LOAD        about the loading: a mass < 0, a share that is not 0 to 1; about the drives: a number < 0,
  *                           or compliance where neither masses nor loads nor `moment` say what it bears

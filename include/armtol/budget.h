@@ -33,11 +33,12 @@ typedef struct armtol_budget_row {
 
 typedef struct armtol_budget {
     size_t n_rows;           /* four a link at most */
-    armtol_budget_row *rows; /* in link order, making, motor, load, shift; those without a parameter, or a load, left out */
+    armtol_budget_row *rows; /* in link order, making, motor, load, shift; those of nothing left out */
     double motors[6];        /* the share of all motors; that of all making is what they all leave of 1 */
     double loads[6];         /* the share of all loads */
     double shifts[6];        /* the share of all means */
-    double norm_motors[ARMTOL_MOST_NORMS], norm_loads[ARMTOL_MOST_NORMS], norm_shifts[ARMTOL_MOST_NORMS]; /* likewise of norms */
+    double norm_motors[ARMTOL_MOST_NORMS], norm_loads[ARMTOL_MOST_NORMS]; /* likewise of norms */
+    double norm_shifts[ARMTOL_MOST_NORMS];
 } armtol_budget;
 
 /*
@@ -51,9 +52,9 @@ typedef struct armtol_budget {
  *
  * Notes:
  * 1) The shares are those of the worst case, |A s| + |A| t. With method rss they are those of |A s| + sigma deviation,
- *    the second term shared out by the variances, v (A t)^2; of a group by the covariances of its columns with the whole
- *    group, which are below 0 for a column that lessens what the others do. Alpha and beta in a disc (note 7 of answer.h) are one
- *    source, of the making of their link.
+ *    the second term shared out by the variances, v (A t)^2; of a group by the covariances of its columns with the
+ *    whole group, which are below 0 for a column that lessens what the others do. Alpha and beta in a disc (note 7 of
+ *    answer.h) are one source, of the making of their link.
  * 2) Each component in the pose whose error is printed: where its worst case is largest (worst_pose) or, with method
  *    rss, its deviation (deviation_pose).
  * 3) A norm is shared out along the direction that it is largest in: worst_direction, with method rss spread_direction.

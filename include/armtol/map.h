@@ -62,8 +62,9 @@ typedef struct armtol_map {
  *    poses (poses.h): many times as fast as an answer a pose.
  *
  * Errors:
- *    those of armtol_answer_create but ARMTOL_NOTHING_LEFT; ARMTOL_BAD_SPREAD where the question has spreads; ARMTOL_BAD_QUESTION also for a map that is none, without
- *    what it needs (notes 2 and 4). The values are then of no use.
+ *    those of armtol_answer_create but ARMTOL_NOTHING_LEFT; ARMTOL_BAD_SPREAD where the question has spreads;
+ *    ARMTOL_BAD_QUESTION also for a map that is none, without what it needs (notes 2 and 4). The values
+ *    are then of no use.
  *
  * Reference:
  *    Hahn 1987, Eqs (4.9), (4.20); the report has two positions of each arm.

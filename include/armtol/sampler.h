@@ -14,9 +14,9 @@ ARMTOL_INTERFACE_BEGIN
 
 /*
  * Arms drawn at random: every parameter of arm i is off by a draw that is uniform within its tolerance, or spread as
- * armtol_sampler_spread says, and depends on the seed, i and the parameter's column alone: not on what was drawn before, on the machine or on
- * the number of threads. Once a sampler is started its arithmetic calls nothing of libm but what rounds
- * exactly (where no tolerance of an angle is more than 1e6), so that machines agree to the bit.
+ * armtol_sampler_spread says, and depends on the seed, i and the parameter's column alone: not on what was drawn
+ * before, on the machine or on the number of threads. Once a sampler is started its arithmetic calls nothing of libm
+ * but what rounds exactly (where no tolerance of an angle is more than 1e6), so that machines agree to the bit.
  */
 
 /* One link as the sampler needs it. Filled by armtol_sampler_start. */
@@ -109,9 +109,11 @@ void armtol_sampler_discs(const armtol_sampler *sampler, armtol_sampled_link pre
  *    *sampler, prepared    those of armtol_sampler_start
  *
  * Notes:
- * 1) The draw of a column is that of the first column of its group. So what is uniform and by itself is drawn as before.
+ * 1) The draw of a column is that of the first column of its group. So what is uniform and by itself is drawn as
+ *    before.
  */
-void armtol_sampler_spread(armtol_sampler *sampler, armtol_sampled_link prepared[], const armtol_error_spread spreads[]);
+void armtol_sampler_spread(armtol_sampler *sampler, armtol_sampled_link prepared[],
+                           const armtol_error_spread spreads[]);
 
 /*
  * One draw.

@@ -163,6 +163,22 @@ static void test_parameters(void)
     check_out_of_memory(read_parameters, "link,parameter,weight\n0,d,1\n0,theta,1\n", 3);
 }
 
+static bool read_spreads(FILE *stream)
+{
+    static const armtol_link links[] = {{ARMTOL_NPR, ARMTOL_REVOLUTE}};
+    static const armtol_column columns[] = {{0, ARMTOL_THETA}, {0, ARMTOL_D}};
+    const armtol_arm arm = {.links = links, .n_links = 1};
+    const parameter_table table = {.arm = &arm, .columns = columns, .n_columns = 2, .value = "distribution"};
+    armtol_error_spread spreads[2] = {{ARMTOL_UNIFORM, 0, 0, 0}};
+    group_name groups[2] = {{""}};
+    return spreads_read(stream, "spread.csv", &table, spreads, groups);
+}
+
+static void test_spreads(void)
+{
+    check_out_of_memory(read_spreads, "link,parameter,distribution\n0,d,ends\n0,theta,normal:3\n", 3);
+}
+
 int main(void)
 {
     message_start("armtol");
@@ -173,5 +189,6 @@ int main(void)
     RUN_TEST(test_poses);
     RUN_TEST(test_positions);
     RUN_TEST(test_parameters);
+    RUN_TEST(test_spreads);
     return UNITY_END();
 }

@@ -41,6 +41,25 @@ static void test_positions(void)
                      (const char *const[]){"armtol", "scara", "--at", "300,100,200", "--branches", NULL}, 5);
 }
 
+static void write_file(const char *path, const char *text)
+{
+    FILE *file = fopen(path, "w");
+    TEST_ASSERT_NOT_NULL(file);
+    fputs(text, file);
+    fclose(file);
+}
+
+/* Both read from files. */
+static void test_distributions(void)
+{
+    write_file("memory_spread.csv", "link,parameter,distribution,group\n1,a,normal:3,lathe\n2,d,normal:3,lathe\n");
+    write_file("memory_ends.csv", "link,parameter,upper,lower\n1,a,.1,-.05\n");
+    check_short_main(armtol_main, (const char *const[]){POSED, "--tolerances", "memory_ends.csv", "--spread",
+                                                        "memory_spread.csv", "--budget", NULL}, 12);
+    remove("memory_spread.csv");
+    remove("memory_ends.csv");
+}
+
 /* What leaves nothing is asked for once more, to be named. */
 static void test_no_answer(void)
 {
@@ -94,6 +113,7 @@ int main(void)
     UNITY_BEGIN();
     RUN_TEST(test_every_answer);
     RUN_TEST(test_positions);
+    RUN_TEST(test_distributions);
     RUN_TEST(test_no_answer);
     RUN_TEST(test_another_arm);
     RUN_TEST(test_regions);

@@ -241,6 +241,138 @@ static void check_parameters_refused(const char *expected, const char *text)
     TEST_ASSERT_FALSE_MESSAGE(fine, text);
 }
 
+/* ---- ends of tolerances ---- */
+
+static bool read_ends(const char *text, double values[], double means[], said *said)
+{
+    const parameter_table table = {&(armtol_arm){.links = links, .n_links = 2}, columns, COLUMNS, "tolerance", true,
+                                   .means = means};
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_columns(links, 2, columns, COLUMNS));
+    FILE *stream = stream_of(text, strlen(text));
+    said_begin();
+    const bool fine = parameters_read(stream, "ends.csv", &table, true, values);
+    said_end(said);
+    fclose(stream);
+    return fine;
+}
+
+/* +a/-b: half of a + b about the middle of a and -b. */
+static void test_ends_of_tolerances(void)
+{
+    double values[COLUMNS] = {0}, means[COLUMNS] = {0};
+    said said;
+    TEST_ASSERT_TRUE(read_ends("upper,link,parameter,lower\n0.5,0,d,-0.25\n-1,0,a,-2\n0.125,1,alpha,0.125\n", values,
+                               means, &said));
+    const double half[COLUMNS] = {0, 0.375, 0.5}, middle[COLUMNS] = {0, 0.125, -1.5, 0, 0, 0, 0.125};
+    for (size_t k = 0; k < COLUMNS; k++) {
+        check_same(half[k], values[k], "half of column %zu", k);
+        check_same(middle[k], means[k], "middle of column %zu", k);
+    }
+    TEST_ASSERT_TRUE(read_ends("link,parameter,tolerance\n0,d,3\n", values, means, &said));
+    check_same(3, values[1], "without ends");
+}
+
+static void check_ends_refused(const char *expected, const char *text)
+{
+    double values[COLUMNS], means[COLUMNS];
+    said said;
+    TEST_ASSERT_FALSE_MESSAGE(read_ends(text, values, means, &said), text);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE(expected, said.text, text);
+}
+
+static void test_wrong_ends_of_tolerances(void)
+{
+    check_ends_refused("armtol: ends.csv:2:5: upper: 0.1 is below lower, 0.2; expected both with their signs, as in "
+                       "0.1 and -0.05\n", "link,parameter,upper,lower\n0,d,0.1,0.2\n");
+    check_ends_refused("armtol: ends.csv:1:1: the head row has no column \"lower\"; expected link, parameter, "
+                       "tolerance\n", "link,parameter,upper\n0,d,0.1\n");
+    check_ends_refused("armtol: ends.csv:1:1: columns for tolerance and for its ends; expected either tolerance, or "
+                       "upper and lower\n", "link,parameter,tolerance,lower\n0,d,0.1,0\n");
+    check_ends_refused("armtol: ends.csv:2:9: lower: \"x\" is not a number\n",
+                       "link,parameter,upper,lower\n0,d,0.1,x\n");
+    check_ends_refused("armtol: ends.csv:2:5: upper: \"inf\" is not a finite number\n",
+                       "link,parameter,upper,lower\n0,d,inf,x\n");
+    check_ends_refused("armtol: ends.csv:2:8: no value for \"lower\"\n", "link,parameter,upper,lower\n0,d,0.1\n");
+}
+
+/* ---- distributions ---- */
+
+static bool read_spreads(const char *text, armtol_error_spread spreads[], group_name groups[], said *said)
+{
+    const parameter_table table = {.arm = &(armtol_arm){.links = links, .n_links = 2}, .columns = columns,
+                                   .n_columns = COLUMNS, .value = "distribution", .length_unit = "mm",
+                                   .angle_unit = "rad"};
+    memset(spreads, 0, COLUMNS * sizeof *spreads);
+    memset(groups, 0, COLUMNS * sizeof *groups);
+    TEST_ASSERT_EQUAL_INT(ARMTOL_OK, armtol_columns(links, 2, columns, COLUMNS));
+    FILE *stream = stream_of(text, strlen(text));
+    said_begin();
+    const bool fine = spreads_read(stream, "spread.csv", &table, spreads, groups);
+    said_end(said);
+    fclose(stream);
+    return fine;
+}
+
+static void check_spread(armtol_error_spread expected, armtol_error_spread actual)
+{
+    TEST_ASSERT_EQUAL_INT(expected.distribution, actual.distribution);
+    TEST_ASSERT_EQUAL_INT(expected.group, actual.group);
+    check_same(expected.sigmas, actual.sigmas, "sigmas");
+    check_same(expected.shift, actual.shift, "shift");
+}
+
+static void test_distributions(void)
+{
+    armtol_error_spread spreads[COLUMNS];
+    group_name groups[COLUMNS];
+    said said;
+    TEST_ASSERT_TRUE(read_spreads("group;link;parameter;shift;distribution;unit\nmill;0;d;-0,5;normal:2.5;mm\n"
+                                  "-;0;theta;;ends;rad\nlathe;1;a;-;triangular;mm\nmill;1;beta;2\n", spreads, groups,
+                                  &said));
+    check_spread((armtol_error_spread){ARMTOL_ENDS, 0, 0, 0}, spreads[0]);
+    check_spread((armtol_error_spread){ARMTOL_NORMAL, 2.5, -0.5, 1}, spreads[1]);
+    check_spread((armtol_error_spread){ARMTOL_UNIFORM, 0, 0, 0}, spreads[2]);
+    check_spread((armtol_error_spread){ARMTOL_TRIANGULAR, 0, 0, 2}, spreads[5]);
+    check_spread((armtol_error_spread){ARMTOL_UNIFORM, 0, 2, 1}, spreads[7]);
+    TEST_ASSERT_EQUAL_STRING("mill", groups[0].text);
+    TEST_ASSERT_EQUAL_STRING("lathe", groups[1].text);
+    TEST_ASSERT_TRUE(read_spreads("link,parameter,shift\n0,a,7\n", spreads, groups, &said));
+    check_spread((armtol_error_spread){ARMTOL_UNIFORM, 0, 7, 0}, spreads[2]);
+}
+
+static void check_spreads_refused(const char *expected, const char *text)
+{
+    armtol_error_spread spreads[COLUMNS];
+    group_name groups[COLUMNS];
+    said said;
+    char line[300];
+    TEST_ASSERT_FALSE_MESSAGE(read_spreads(text, spreads, groups, &said), text);
+    snprintf(line, sizeof line, "armtol: spread.csv:%s\n", expected);
+    TEST_ASSERT_EQUAL_STRING_MESSAGE(line, said.text, text);
+}
+
+#define EXPECTED "expected uniform, normal:K (K from 0.01 to 30), triangular or ends"
+
+static void test_wrong_distributions(void)
+{
+    static const char *const wrong[] = {"normal", "normal:", "normal:0", "normal:31", "normal:x", "ends:3", "even",
+                                        "norm:3", "normal:3:4"};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        char text[80], expected[160];
+        snprintf(text, sizeof text, "link,parameter,distribution\n0,d,%s\n", wrong[i]);
+        snprintf(expected, sizeof expected, "2:5: unknown distribution \"%s\"; " EXPECTED, wrong[i]);
+        check_spreads_refused(expected, text);
+    }
+    check_spreads_refused("1:1: the head row has no column \"distribution\", \"shift\" or \"group\"",
+                          "link,parameter,tolerance\n0,d,1\n");
+    check_spreads_refused("2:5: shift: \"1e999\" is too large a number", "link,parameter,shift\n0,d,1e999\n");
+    check_spreads_refused("2:5: group: \"abcdefghijklmnopqrstuvwxyzabcdef\" is too long; expected at most 31 "
+                          "characters",
+                          "link,parameter,group\n0,d,abcdefghijklmnopqrstuvwxyzabcdef\n");
+    check_spreads_refused("2:5: unit \"m\"; expected mm, as on the command line",
+                          "link,parameter,unit,shift\n0,d,m,1\n");
+}
+
 #define HEAD "link,parameter,tolerance\n"
 
 static void test_wrong_heads_of_parameters(void)
@@ -330,6 +462,10 @@ int main(void)
     RUN_TEST(test_positions);
     RUN_TEST(test_wrong_positions);
     RUN_TEST(test_parameters);
+    RUN_TEST(test_ends_of_tolerances);
+    RUN_TEST(test_wrong_ends_of_tolerances);
+    RUN_TEST(test_distributions);
+    RUN_TEST(test_wrong_distributions);
     RUN_TEST(test_wrong_heads_of_parameters);
     RUN_TEST(test_wrong_rows_of_parameters);
     RUN_TEST(test_what_has_no_row_stays_and_zero_is_exact);

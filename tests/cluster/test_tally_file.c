@@ -47,7 +47,7 @@ static tally_head fill(void)
 {
     const tally_head head = {.form = &tally_of_arms, .version = "1.2.3", .words = words, .n_words = 4, .shard = 2,
                              .n_shards = 3, .total = 300, .numbers = {UINT64_MAX},
-                             .fingerprints = {1, 0xfedcba9876543210u, 0, UINT64_MAX, 5}};
+                             .fingerprints = {1, 0xfedcba9876543210u, 0, UINT64_MAX, 5, 6}};
     const tally_form *form = head.form;
     TEST_ASSERT_TRUE(form->start(&tally, &head, 100));
     const armtol_tally_member bins = member_named(form, "bins");
@@ -150,7 +150,8 @@ static void test_the_form(void)
                                 "shard 2 3\narms 300\nseed 18446744073709551615\n"
                                 "fingerprint arm 0000000000000001\nfingerprint tool fedcba9876543210\n"
                                 "fingerprint tolerances 0000000000000000\nfingerprint loads ffffffffffffffff\n"
-                                "fingerprint accuracy 0000000000000005\n"
+                                "fingerprint distributions 0000000000000005\n"
+                                "fingerprint accuracy 0000000000000006\n"
                                 "measures 0 6\ndrawn 0 100\nwithin 0 90\nbeyond 0 10\n"
                                 "worst 0 0000000000000000 3fb999999999999a ";
     const size_t length = write_to(bytes, &head);

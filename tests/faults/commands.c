@@ -21,7 +21,7 @@ const char *const commands[COMMANDS][COMMAND_ARGUMENTS] = {
     {"--help"},
     {"--version"},
     {"arm.csv", "--poses", "poses.csv", "--method", "rss", "--weights", "weights.csv", ACCURACY},
-    {"arm.csv", POSE, "--tolerances", "tolerances.csv"},
+    {"arm.csv", POSE, "--tolerances", "tolerances.csv", "--spread", "spread.csv"},
     {"arm.csv", POSE, "--deviations", "deviations.csv"},
     {"arm.csv", POSE, "--drawing", "drawing.csv", "--accuracy", "r=.5", "--write-drawing", "-"},
     {"map", "arm.csv", "--plane", "xz", "--range", "300..500,0..200", "--grid", "3,2", "--tolerances", "lengths=.1",
@@ -66,6 +66,8 @@ string folder_for_commands(void)
     file_write(weights.text, "link,parameter,weight\n0,d,2\n1,theta,3\n");
     file_write(string_of("%s/deviations.csv", folder.text).text, "link,parameter,deviation\n1,a,-0.25\n");
     file_write(string_of("%s/drawing.csv", folder.text).text, "link,distance,angle,split\n1,.05,.01,a\n2,.05,-,even\n");
+    file_write(string_of("%s/spread.csv", folder.text).text,
+               "link,parameter,distribution,shift,group\n1,a,normal:3,.01,lathe\n2,d,normal:3,0,lathe\n");
     file_read(TEST_UR5E, &source);
     file_write(urdf.text, source.bytes);
     return folder;

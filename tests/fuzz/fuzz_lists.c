@@ -1,6 +1,7 @@
 /*
- * Files of poses, of positions, of tolerances or weights, and what drawings say. The first byte says which; the second,
- * for poses, how many joints, and for parameters and drawings, which arm and what is asked of the table.
+ * Files of poses, of positions, of distributions, of tolerances or weights, and what drawings say. The first byte says
+ * which; the second, for poses, how many joints, and for parameters and drawings, which arm and what is asked of the
+ * table.
  */
 
 #include "fuzz/harness.h"
@@ -63,8 +64,10 @@ static void check_parameters(FILE *stream, unsigned choice)
     armtol_column columns[MOST_COLUMNS];
     double values[MOST_COLUMNS];
     REQUIRE(n <= MOST_COLUMNS && armtol_columns(arm->links, arm->n_links, columns, n) == ARMTOL_OK);
+    double means[MOST_COLUMNS] = {0};
+    const bool ends = zero && !any_sign; /* may stand in place of a tolerance */
     const parameter_table table = {arm,  columns, n, any_sign ? "deviation" : zero ? "tolerance" : "weight",
-                                   zero, any_sign};
+                                   zero, any_sign, .means = ends ? means : NULL};
     for (size_t k = 0; k < n; k++) {
         values[k] = -1;
     }
@@ -72,6 +75,27 @@ static void check_parameters(FILE *stream, unsigned choice)
     REQUIRE(fine ? caught_nothing() : caught_one_message());
     if (fine) {
         check_values(&table, infinite_allowed, values);
+    }
+    for (size_t k = 0; k < n; k++) {
+        REQUIRE(isfinite(means[k]));
+    }
+}
+
+/* What is taken is known, and every group has a name. */
+static void check_spreads(FILE *stream, unsigned choice)
+{
+    const armtol_arm *arm = armtol_arm_at(choice % armtol_arm_count());
+    const size_t n = armtol_column_count(arm->links, arm->n_links);
+    armtol_column columns[MOST_COLUMNS];
+    armtol_error_spread spreads[MOST_COLUMNS] = {{ARMTOL_UNIFORM, 0, 0, 0}};
+    group_name groups[MOST_COLUMNS] = {{""}};
+    REQUIRE(n <= MOST_COLUMNS && armtol_columns(arm->links, arm->n_links, columns, n) == ARMTOL_OK);
+    const parameter_table table = {.arm = arm, .columns = columns, .n_columns = n, .value = "distribution"};
+    const bool fine = spreads_read(stream, "spread.csv", &table, spreads, groups);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    for (size_t k = 0; k < n; k++) {
+        REQUIRE(armtol_spread_is_known(&spreads[k]) && spreads[k].group <= n);
+        REQUIRE(spreads[k].group == 0 || groups[spreads[k].group - 1].text[0] != '\0');
     }
 }
 
@@ -116,6 +140,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         check_wishes(stream);
     } else if (data[0] == 'D') {
         check_drawing(stream, data[1] - '0');
+    } else if (data[0] == 's') {
+        check_spreads(stream, data[1]);
     } else if (data[0] % 2 == 0) {
         check_poses(stream, data[1] - '0');
     } else {

@@ -6,6 +6,7 @@
 #include "fuzz/harness.h"
 #include "fuzz/require.h"
 
+#include "armtol/ask/given.h"
 #include "armtol/ask/number_list.h"
 #include "armtol/ask/weights.h"
 #include "armtol/tables/degrees.h"
@@ -191,6 +192,25 @@ static void check_weights(const char *text)
     REQUIRE(any);
 }
 
+/* What is taken is said in words that are taken again. */
+static void check_spreads(const char *text)
+{
+    static const units units = {ARMTOL_MILLIMETRE, ARMTOL_MILLIMETRE, UNIT_RADIAN};
+    armtol_error_spread spreads[MOST_COLUMNS] = {{ARMTOL_UNIFORM, 0, 0, 0}};
+    const named_columns of = {arm, columns, n_columns};
+    if (strchr(text, '=') == NULL) {
+        return; /* the name of a file */
+    }
+    const bool fine = given_spreads_parse(text, &of, &units, spreads, NULL);
+    REQUIRE(fine ? caught_nothing() : caught_one_message());
+    for (size_t k = 0; k < n_columns; k++) {
+        armtol_error_spread again = {ARMTOL_UNIFORM, 0, 0, 0};
+        REQUIRE(armtol_spread_is_known(&spreads[k]));
+        REQUIRE(distribution_parse(distribution_words(&spreads[k], &(distribution_text){""}), &again));
+        REQUIRE(again.distribution == spreads[k].distribution && same(again.sigmas, spreads[k].sigmas));
+    }
+}
+
 int LLVMFuzzerInitialize(int *argc, char ***argv)
 {
     (void)argc;
@@ -215,7 +235,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     memcpy(text, data + 1, length);
     text[length] = '\0';
     caught_forget();
-    if (data[0] % (READERS + 1) == READERS) {
+    if (data[0] == 's') { /* the numbers of others stay: seeds have them */
+        check_spreads(text);
+    } else if (data[0] % (READERS + 1) == READERS) {
         check_bits(text, length);
     } else {
         readers[data[0] % (READERS + 1)](text);

@@ -75,6 +75,7 @@ static void check_question(const cli_options *options)
     REQUIRE((options->joints != NULL) + (options->poses != NULL) + at + (options->region != NULL) == 1);
     REQUIRE((options->accuracy != NULL || options->tolerances != NULL) != compared);
     REQUIRE(options->weights == NULL || (options->tolerances == NULL && options->method != ARMTOL_METHOD_SPHERE));
+    REQUIRE(options->spread == NULL || options->region == NULL);
     REQUIRE(options->delta == NULL || options->method == ARMTOL_METHOD_SPHERE);
     REQUIRE(options->format != OUTPUT_CSV || (!options->budget && options->verify == 0));
     REQUIRE(!options->grades || !compared);
@@ -108,7 +109,8 @@ static int check_armtol(command_line *line)
     if (code == EXIT_OK) {
         const char *const texts[] = {options.arm,         options.base,    options.tip,   options.joints,
                                      options.poses,       options.accuracy, options.delta, options.weights,
-                                     options.tool_offset, options.tolerances, options.tally};
+                                     options.tool_offset, options.tolerances, options.tally,
+                                     options.spread};
         for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
             REQUIRE(is_typed(line, texts[i]));
         }

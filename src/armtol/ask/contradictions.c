@@ -35,12 +35,12 @@ static const char *fault_of_comparison(const cli_options *options)
 {
     const bool wishes = options->accuracy != NULL || options->tolerances != NULL || options->given != NULL ||
                         options->drawing != NULL || options->write_drawing != NULL || options->weights != NULL ||
-                        options->budget || options->verify != 0 || options->cycles != 0;
+                        options->spread != NULL || options->budget || options->verify != 0 || options->cycles != 0;
     const contradiction list[] = {
         {options->region != NULL, "--against and --deviations are for poses; expected no --region"},
         {options->against != NULL && options->deviations != NULL, "--against and --deviations exclude each other"},
         {wishes, "--against and --deviations compare two arms; expected no --accuracy, --tolerances, --given, "
-                 "--drawing, --weights, --budget, --verify or --iso9283 beside them"},
+                 "--drawing, --weights, --spread, --budget, --verify or --iso9283 beside them"},
         {options->format == OUTPUT_CSV, "--csv writes tolerances only; expected --json, or nothing"},
         {options->grades, "--grades is for tolerances, which --against and --deviations have not"},
     };
@@ -83,6 +83,8 @@ static const char *fault_of_poses(const cli_options *options)
          "the position is missing; expected --at x,y,z,gamma,beta,alpha or --at-file FILE with --branches"},
         {!listed && !region && !at && !map,
          "the pose is missing; expected --joints Q, --poses FILE, --at POSITION, --at-file FILE or --region R"},
+        {options->spread != NULL && (region || map),
+         "--spread is for poses that are listed; expected none with --region and maps"},
         {region && map, "--region is for tolerances; a map has --plane and --range"},
         {region && (listed || at),
          "--region has poses of its own; expected no --joints, --poses, --at and --at-file"},

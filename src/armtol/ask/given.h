@@ -3,6 +3,7 @@
 
 #include "armtol/ask/named.h"
 #include "armtol/ask/units.h"
+#include "armtol/lists/lists.h"
 
 #include <stdbool.h>
 
@@ -21,5 +22,13 @@ bool given_tolerances_parse(const char *text, const named_columns *of, const uni
  * 2.compliance).
  */
 bool given_drives_parse(const char *text, const armtol_arm *arm, const units *units, armtol_drive drives[]);
+
+/*
+ * The argument of --spread, NULL where there is none: NAME=DISTRIBUTION,... with the names of --weights, or a table
+ * (lists.h) where there is no = in it. What is not said stays as it was; what is said later holds. groups: as of
+ * spreads_read. False after a message.
+ */
+bool given_spreads_parse(const char *text, const named_columns *of, const units *units, armtol_error_spread spreads[],
+                         group_name groups[]);
 
 #endif

@@ -95,7 +95,8 @@ static void say(const request *request, const armtol_answer *answer, const armto
     }
     list_sources(&request->arm, budget, exceeded, percent, sources, sizeof sources);
     message("no tolerances: %s %.4g %% of %s in pose %zu%s: %s",
-            request->options->given != NULL ? "what is given uses" : "the drives alone use", percent,
+            request->options->given != NULL || request->question.spreads != NULL ? "what is given uses"
+                                                                                 : "the drives alone use", percent,
             exceeded->name, place / (n_loads > 0 ? n_loads : 1) + 1, load, sources);
 }
 

@@ -260,6 +260,7 @@ static const option_row rows[] = {
     {"--given", take_text, AT(given)},
     {"--drawing", take_text, AT(drawing)},
     {"--write-drawing", take_text, AT(write_drawing)},
+    {"--spread", take_text, AT(spread)},
     {"--wish", take_wish},
     /* what loads the arm */
     {"--drives", take_text, AT(drives)},

@@ -69,6 +69,7 @@ typedef struct cli_options {
     const char *given;
     const char *drawing, *write_drawing; /* files */
     const char *drives;
+    const char *spread; /* a list, or a file */
     const char *against, *deviations;
     const char *gravity, *force;
     double compensated;

@@ -311,12 +311,13 @@ static bool take_delta(request *request)
     return fine && *delta != 0;
 }
 
-static bool take_tolerances(request *request, const char *path)
+static bool take_tolerances(request *request, const char *path, double means[])
 {
     for (size_t k = 0; k < request->n_columns; k++) {
         const armtol_column *column = &request->columns[k];
         const bool is_length = armtol_parameter_is_length(column->parameter);
-        if (!take_value(&request->units, is_length, &request->tolerances[k])) {
+        if (!take_value(&request->units, is_length, &request->tolerances[k]) ||
+            !take_value(&request->units, is_length, &means[k])) {
             message("--tolerances: %s: %s of %s: the tolerance is too large", path,
                     armtol_parameter_name(column->parameter),
                     link_words(&request->arm, column->link, &(link_text){""}));
@@ -343,6 +344,23 @@ bool request_read_parameters(const request *request, const char *before, const c
     return fine;
 }
 
+/* Of errors from a lower to an upper end the middles are shifts, which only poses that are listed know. */
+static bool take_means(request *request, const char *path, const double means[])
+{
+    bool any = false;
+    for (size_t k = 0; k < request->n_columns; k++) {
+        request->spreads[k].shift += means[k];
+        any = any || means[k] != 0;
+    }
+    if (any && (request->options->region != NULL || request->options->action == CLI_MAP)) {
+        message("--tolerances: %s: upper and lower are for poses that are listed; expected a column tolerance with "
+                "--region and maps", path);
+        return false;
+    }
+    request->question.spreads = any ? request->spreads : request->question.spreads;
+    return true;
+}
+
 static bool read_tolerances(request *request)
 {
     const char *path = request->options->tolerances;
@@ -350,9 +368,23 @@ static bool read_tolerances(request *request)
         const named_columns of = {request->question.arm, request->columns, request->n_columns};
         return given_tolerances_parse(path, &of, &request->units, request->tolerances);
     }
-    const parameter_table table = {.value = "tolerance", .zero_allowed = true};
-    return request_read_parameters(request, "--tolerances: ", path, table, request->tolerances) &&
-           take_tolerances(request, path);
+    double *means = calloc(request->n_columns, sizeof *means);
+    if (means == NULL) {
+        out_of_memory();
+        return false;
+    }
+    const parameter_table table = {.value = "tolerance", .zero_allowed = true, .means = means};
+    const bool fine = request_read_parameters(request, "--tolerances: ", path, table, request->tolerances) &&
+                      take_tolerances(request, path, means) && take_means(request, path, means);
+    free(means);
+    return fine;
+}
+
+static bool take_spreads(request *request, const named_columns *of)
+{
+    const char *text = request->options->spread;
+    request->question.spreads = text != NULL ? request->spreads : NULL;
+    return given_spreads_parse(text, of, &request->units, request->spreads, request->groups);
 }
 
 /* ---- drawings ---- */
@@ -435,6 +467,8 @@ static bool get_memory(request *request)
     request->weights = calloc(n, sizeof *request->weights);
     request->least = calloc(n, sizeof *request->least);
     request->largest = calloc(n, sizeof *request->largest);
+    request->spreads = calloc(n, sizeof *request->spreads);
+    request->groups = calloc(n, sizeof *request->groups);
     request->drawn = calloc(n, sizeof *request->drawn);
     request->discs = calloc(n, sizeof *request->discs);
     if (gives_all(request->options)) {
@@ -442,6 +476,7 @@ static bool get_memory(request *request)
     }
     return enough_memory(request->columns != NULL && request->weights != NULL && request->least != NULL &&
                          request->largest != NULL && request->drawn != NULL && request->discs != NULL &&
+                         request->spreads != NULL && request->groups != NULL &&
                          (!gives_all(request->options) || request->tolerances != NULL));
 }
 
@@ -455,7 +490,7 @@ static bool take_values(request *request)
     request->question.largest = request->largest;
     const named_columns of = {arm, request->columns, request->n_columns};
     return given_parse(request->options->given, &of, &request->units, request->least, request->largest) &&
-           take_accuracy(request) && take_delta(request) &&
+           take_spreads(request, &of) && take_accuracy(request) && take_delta(request) &&
            weights_parse(request->options->weights, arm, request->columns, request->n_columns, request->weights) &&
            (request->options->tolerances == NULL || read_tolerances(request)) && take_drawing(request);
 }
@@ -489,6 +524,8 @@ void request_free(request *request)
     drawing_free(&request->drawing);
     free(request->drawn);
     free(request->discs);
+    free(request->spreads);
+    free(request->groups);
     free(request->drives);
 }
 
@@ -505,6 +542,22 @@ static void say_unbounded(const request *request, const armtol_fault *fault)
             name, name, is_norm ? "none for it" : "- in its place");
 }
 
+/* All else that is wrong with them was found when they were read. */
+static void say_spread(const request *request, size_t column)
+{
+    if (request->discs[column] || (column > 0 && request->discs[column - 1])) {
+        message("--spread: %s of %s is in a disc; expected uniform, and no group",
+                armtol_parameter_name(request->columns[column].parameter),
+                link_words(&request->arm, request->columns[column].link, &(link_text){""}));
+        return;
+    }
+    message("--method rss shares nothing out within a group, and %s of %s is in group %s; expected --tolerances, "
+            "--given for all of the group, or --method worst",
+            armtol_parameter_name(request->columns[column].parameter),
+            link_words(&request->arm, request->columns[column].link, &(link_text){""}),
+            request->groups[request->spreads[column].group - 1].text);
+}
+
 int request_failed(const request *request, const armtol_fault *fault)
 {
     const char *text = armtol_status_text(fault->status);
@@ -517,6 +570,10 @@ int request_failed(const request *request, const armtol_fault *fault)
     }
     if (fault->status == ARMTOL_UNBOUNDED) {
         say_unbounded(request, fault);
+        return EXIT_WRONG;
+    }
+    if (fault->about == ARMTOL_ABOUT_SPREADS) {
+        say_spread(request, fault->number);
         return EXIT_WRONG;
     }
     if (fault->about == ARMTOL_ABOUT_DRIVES) {

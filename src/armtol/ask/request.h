@@ -6,6 +6,7 @@
 #include "armtol/ask/options.h"
 #include "armtol/ask/units.h"
 #include "armtol/drawing/drawing_file.h"
+#include "armtol/lists/lists.h"
 #include "armtol/tables/arm_model.h"
 
 /* What is asked, in inside units: the command line and its files, read in the light of the arm. */
@@ -21,6 +22,8 @@ typedef struct request {
     drawing drawing;    /* of --drawing, in inside units; no rows without */
     bool *drawn;        /* a column of A: what it says something of */
     bool *discs;        /* the question's */
+    armtol_error_spread *spreads; /* the question's where something is said of any, else zeros */
+    group_name *groups;           /* the names of their groups, by number from 1 */
     at_taken *taken;                  /* of each pose, where its position was asked for; else NULL */
     armtol_arm arm;       /* the model's, with drives of its own: */
     armtol_drive *drives;

@@ -46,7 +46,7 @@ static bool has_role(const armtol_budget *budget, armtol_role role)
 
 static bars bars_of(FILE *stream, const findings *findings)
 {
-    static const armtol_role order[] = {ARMTOL_MOTOR, ARMTOL_MACHINING, ARMTOL_LOAD};
+    static const armtol_role order[] = {ARMTOL_MOTOR, ARMTOL_MACHINING, ARMTOL_LOAD, ARMTOL_SHIFT};
     bars bars = {.stream = stream, .findings = findings, .budget = findings->budget, .most = 1};
     for (size_t k = 0; k < sizeof order / sizeof order[0]; k++) {
         if (has_role(bars.budget, order[k])) {
@@ -75,7 +75,7 @@ static double top_of(const bars *bars, size_t i, size_t role)
 static void put_style(FILE *stream, const void *data)
 {
     (void)data;
-    fputs("    .motor { fill: #58a6d8 } .machining { fill: #f0b36b } .load { fill: #8fcf9f }\n"
+    fputs("    .motor { fill: #58a6d8 } .machining { fill: #f0b36b } .load { fill: #8fcf9f } .shift { fill: #d9a6d9 }\n"
           "    .part { stroke: #1f2328; stroke-width: 0.8 } .number { fill: #111; font-size: 11px }\n", stream);
 }
 

@@ -4,6 +4,7 @@
 #include "armtol/arm.h"
 #include "armtol/error_matrix.h"
 #include "armtol/link.h"
+#include "armtol/spread.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -39,6 +40,8 @@ typedef struct parameter_table {
     bool signed_allowed; /* a value may be anything finite */
     const char *length_unit; /* what a column `unit`, where there is one, has to say of lengths, and of angles; */
     const char *angle_unit;  /* NULL where values have no units */
+    double *means; /* a column of A: a file may have columns upper and lower in place of the value, which is then half
+                      of what is between them, and the mean their middle; NULL: it may not */
 } parameter_table;
 
 /*
@@ -48,5 +51,30 @@ typedef struct parameter_table {
  */
 bool parameters_read(FILE *stream, const char *path, const parameter_table *table, bool infinite_allowed,
                      double values[]);
+
+/* A distribution in words: "uniform", "normal:3". */
+typedef struct distribution_text {
+    char text[48];
+} distribution_text;
+
+/* False, and nothing changed, where it is none; what was expected is then distribution_expected. */
+bool distribution_parse(const char *text, armtol_error_spread *spread);
+extern const char distribution_expected[];
+
+/* Returns words->text: distribution_words(spread, &(distribution_text){""}). */
+const char *distribution_words(const armtol_error_spread *spread, distribution_text *words);
+
+/* A group's name; empty where there is none. */
+typedef struct group_name {
+    char text[32];
+} group_name;
+
+/*
+ * Rows of link, parameter, distribution, shift and group; of the last three a file needs one, and a cell may be empty
+ * or a dash. What has no row, or cell, stays as it was. groups has a place a column of A, all empty: group n gets its
+ * name at n - 1. Of the table arm, columns and units are read, and `value` for messages.
+ */
+bool spreads_read(FILE *stream, const char *path, const parameter_table *table, armtol_error_spread spreads[],
+                  group_name groups[]);
 
 #endif

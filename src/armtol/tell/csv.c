@@ -50,8 +50,8 @@ bool output_csv(const findings *findings)
     const bool grades = findings->request->options->grades;
     const bool names = links_have_names(findings->request->question.arm);
     print_taken(findings);
-    printf("link,kind,parameter,role,nominal,tolerance,unit%s%s\n", grades ? ",iso_286,iso_2768" : "",
-           names ? ",name" : "");
+    printf("link,kind,parameter,role,nominal,tolerance,unit%s%s%s\n", grades ? ",iso_286,iso_2768" : "",
+           names ? ",name" : "", findings_are_spread(findings) ? ",distribution,shift,group" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row row = findings_parameter(findings, k);
         const char *tolerance = isfinite(row.tolerance)
@@ -64,6 +64,11 @@ bool output_csv(const findings *findings)
         }
         if (names) {
             put_text(row.name != NULL ? row.name : "");
+        }
+        if (findings_are_spread(findings)) {
+            printf(",%s,%s", row.distribution.text,
+                   number_shortest(row.shift, &armtol_errata_none, &(number_text){""}));
+            put_text(row.group);
         }
         putchar('\n');
     }

@@ -12,7 +12,7 @@ parameter_row findings_parameter(const findings *findings, size_t column)
     armtol_link link = findings->request->question.n_poses == 1 ? answer->links[at->link]
                                                                 : findings->request->question.arm->links[at->link];
     const bool is_length = armtol_parameter_is_length(at->parameter);
-    return (parameter_row){
+    parameter_row row = {
         .link = at->link,
         .name = link_name(findings->request->question.arm, at->link),
         .kind = armtol_kind_name(link.kind),
@@ -25,7 +25,28 @@ parameter_row findings_parameter(const findings *findings, size_t column)
         .in_disc = answer->discs[column] || (column > 0 && answer->discs[column - 1]),
         .held = answer->held[column],
         .tolerance = units_shown(units, is_length, answer->tolerances[column]),
+        .shift = units_shown(units, is_length, answer->spreads[column].shift),
+        .group = "",
     };
+    distribution_words(&answer->spreads[column], &row.distribution);
+    if (answer->spreads[column].group != 0) {
+        row.group = findings->request->groups[answer->spreads[column].group - 1].text;
+    }
+    return row;
+}
+
+bool findings_are_spread(const findings *findings)
+{
+    return findings->request->question.spreads != NULL;
+}
+
+bool findings_are_shifted(const findings *findings)
+{
+    bool any = false;
+    for (size_t k = 0; k < findings->answer->n_columns; k++) {
+        any = any || findings->answer->spreads[k].shift != 0;
+    }
+    return any;
 }
 
 size_t findings_measures(const findings *findings)
@@ -84,6 +105,11 @@ double findings_motors(const armtol_budget *budget, size_t measure)
 double findings_loads(const armtol_budget *budget, size_t measure)
 {
     return measure < 6 ? budget->loads[measure] : budget->norm_loads[measure - 6];
+}
+
+double findings_shifts(const armtol_budget *budget, size_t measure)
+{
+    return measure < 6 ? budget->shifts[measure] : budget->norm_shifts[measure - 6];
 }
 
 size_t findings_pose(const findings *findings, size_t measure)

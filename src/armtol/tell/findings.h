@@ -32,10 +32,17 @@ typedef struct parameter_row {
     bool given;       /* by a drive or by --given */
     bool drawn;       /* by --drawing */
     bool in_disc;     /* with the link's other angle: the tolerance is the disc's radius */
+    distribution_text distribution;
+    double shift;      /* the mean of its error */
+    const char *group; /* its group's name; "" for one by itself */
     double held;      /* the share of the optimum that its range holds; negative for its least */
 } parameter_row;
 
 parameter_row findings_parameter(const findings *findings, size_t column);
+
+/* Whether something is said of how errors are distributed; whether of any mean. */
+bool findings_are_spread(const findings *findings);
+bool findings_are_shifted(const findings *findings);
 
 /* What is told of an error is its six components and, behind them, norms: measures. */
 size_t findings_measures(const findings *findings);
@@ -50,10 +57,11 @@ double findings_accuracy(const findings *findings, size_t measure);
 /* What loads and sigma standard deviations come to, of a norm in its worst direction. */
 double findings_sigmas(const findings *findings, size_t measure);
 
-/* Of the budget: a row's share in it, and those of all motors and all loads. */
+/* Of the budget: a row's share in it, and those of all motors, all loads and all means. */
 double findings_share(const armtol_budget_row *row, size_t measure);
 double findings_motors(const armtol_budget *budget, size_t measure);
 double findings_loads(const armtol_budget *budget, size_t measure);
+double findings_shifts(const armtol_budget *budget, size_t measure);
 
 /* The pose, from 0, that holds it down or, where none does, in which it is largest. */
 size_t findings_pose(const findings *findings, size_t measure);

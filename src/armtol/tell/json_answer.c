@@ -155,6 +155,11 @@ static void write_parameters(json *json, const findings *findings)
                                   : row.held < 0 ? "least"
                                                  : "accuracy");
         json_number(json, "held", fabs(row.held));
+        if (findings_are_spread(findings)) {
+            json_text(json, "distribution", row.distribution.text);
+            json_number(json, "shift", row.shift);
+            json_text_if(json, "group", row.group[0] != '\0' ? row.group : NULL);
+        }
         json_text_if(json, "within", row.in_disc ? "disc" : NULL);
         if (findings->request->options->grades && grades_has_parameter(findings, k)) {
             write_grades_of_parameter(json, findings, k);
@@ -287,7 +292,7 @@ static void write_load(json *json, const findings *findings, size_t place)
             json_text_if(json, "name", link_name(findings->request->question.arm, at->link));
             json_number(json, "moment", answer->moments[place * answer->n_links + at->link]);
             json_number(json, "shift", units_shown(&findings->request->units, joint == ARMTOL_PRISMATIC,
-                                                   armtol_answer_shifts(answer, place)[k]));
+                                                   armtol_answer_shifts(answer, place)[k] - answer->spreads[k].shift));
             json_number(json, "half_width", units_shown(&findings->request->units, joint == ARMTOL_PRISMATIC,
                                                         armtol_answer_bounded(answer, place)[k]));
             json_close_object(json);

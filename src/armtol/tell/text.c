@@ -246,6 +246,36 @@ static void print_unbounded(const findings *findings)
     wrap_end(&wrap);
 }
 
+/* Whose errors are one. */
+static void print_group(const findings *findings, size_t group)
+{
+    const armtol_answer *answer = findings->answer;
+    size_t left = 0;
+    wrap wrap;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        left += answer->spreads[k].group == group;
+    }
+    wrap_start(&wrap, stdout, 0, 0);
+    wrap_say(&wrap, "Group %s, of one draw:", findings->request->groups[group - 1].text);
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        if (answer->spreads[k].group == group) {
+            const parameter_row row = findings_parameter(findings, k);
+            wrap_say(&wrap, "%s of %s%s", row.parameter,
+                     link_words(findings->request->question.arm, row.link, &(link_text){""}), --left > 0 ? "," : "");
+        }
+    }
+    wrap_end(&wrap);
+}
+
+static void print_groups(const findings *findings)
+{
+    const request *request = findings->request;
+    for (size_t i = 0; i < request->n_columns && request->groups[i].text[0] != '\0'; i++) {
+        fputs(i == 0 ? "\n" : "", stdout);
+        print_group(findings, i + 1);
+    }
+}
+
 static void print_heading(const findings *findings)
 {
     const request *request = findings->request;
@@ -268,6 +298,7 @@ bool output_text(const findings *findings)
     const bool fine = text_parameters(findings);
     print_discs(findings);
     print_unbounded(findings);
+    print_groups(findings);
     return fine && text_parts(findings) && (!findings->request->options->grades || text_grades(findings)) &&
            text_components(findings) &&
            (findings->region == NULL || text_region(findings)) && text_loads(findings) &&

@@ -13,11 +13,11 @@ static void add_share(table *table, double share)
     table_add_cells(table, isnan(share) ? "-" : "%.1f", 100 * share);
 }
 
-static bool has_loads(const armtol_budget *budget)
+static bool has(const armtol_budget *budget, armtol_role role)
 {
     bool any = false;
     for (size_t r = 0; r < budget->n_rows; r++) {
-        any = any || budget->rows[r].role == ARMTOL_LOAD;
+        any = any || budget->rows[r].role == role;
     }
     return any;
 }
@@ -43,10 +43,16 @@ static bool print_table(const findings *findings)
     for (size_t i = 0; i < n; i++) {
         add_share(&table, findings_motors(budget, i));
     }
-    if (has_loads(budget)) {
+    if (has(budget, ARMTOL_LOAD)) {
         table_add(&table, "all loads");
         for (size_t i = 0; i < n; i++) {
             add_share(&table, findings_loads(budget, i));
+        }
+    }
+    if (has(budget, ARMTOL_SHIFT)) {
+        table_add(&table, "all shifts");
+        for (size_t i = 0; i < n; i++) {
+            add_share(&table, findings_shifts(budget, i));
         }
     }
     return table_finish(&table, "Where the error comes from, % of each component", NULL, FORMAT_TEXT, stdout);
@@ -86,9 +92,13 @@ static void print_bars(const findings *findings, size_t i, int width)
     print_bar(budget, i, ARMTOL_MOTOR);
     printf("  %*s machining |", width, "");
     print_bar(budget, i, ARMTOL_MACHINING);
-    if (has_loads(budget)) {
+    if (has(budget, ARMTOL_LOAD)) {
         printf("  %*s loads     |", width, "");
         print_bar(budget, i, ARMTOL_LOAD);
+    }
+    if (has(budget, ARMTOL_SHIFT)) {
+        printf("  %*s shifts    |", width, "");
+        print_bar(budget, i, ARMTOL_SHIFT);
     }
 }
 

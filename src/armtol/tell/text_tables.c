@@ -32,6 +32,15 @@ static bool any_is_set(const armtol_answer *answer)
     return any;
 }
 
+static bool any_is_spread(const armtol_answer *answer)
+{
+    bool any = false;
+    for (size_t k = 0; k < answer->n_columns; k++) {
+        any = any || answer->spreads[k].distribution != ARMTOL_UNIFORM;
+    }
+    return any;
+}
+
 static const char *origin_of(const parameter_row *row)
 {
     return row->drawn ? "drawing" : row->given ? "given" : row->held > 0 ? "largest" : row->held < 0 ? "least" : "-";
@@ -39,9 +48,11 @@ static const char *origin_of(const parameter_row *row)
 
 bool text_parameters(const findings *findings)
 {
+    const bool spread = any_is_spread(findings->answer), shifted = findings_are_shifted(findings);
     const bool shows_origin = findings->request->tolerances == NULL && any_is_set(findings->answer);
     table table = {.cut_first = true};
-    table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit%s", shows_origin ? "\tset by" : "");
+    table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit%s%s%s",
+              shifted ? "\tshift" : "", spread ? "\tspread" : "", shows_origin ? "\tset by" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
         const parameter_row parameter = findings_parameter(findings, k);
         table_add(&table, "%s\t%s\t%s\t%s",
@@ -49,7 +60,14 @@ bool text_parameters(const findings *findings)
                   parameter.parameter, parameter.role);
         add_number(&table, parameter.nominal);
         add_number(&table, parameter.tolerance);
-        table_add_cells(&table, "%s\t%s", parameter.unit, origin_of(&parameter));
+        table_add_cells(&table, "%s", parameter.unit);
+        if (shifted) {
+            add_number(&table, parameter.shift);
+        }
+        if (spread) {
+            table_add_cells(&table, "%s", parameter.distribution.text);
+        }
+        table_add_cells(&table, "%s", origin_of(&parameter));
     }
     return table_finish(&table, "Parameters", NULL, FORMAT_TEXT, stdout);
 }
@@ -105,7 +123,7 @@ static void add_component(const findings *findings, size_t i, table *table)
     }
     add_number(table, findings_shown(findings, i, component->worst));
     add_number(table, findings_shown(findings, i, findings_sigmas(findings, i)));
-    if (findings->answer->loaded) {
+    if (findings->answer->shifted) {
         add_number(table, findings_shown(findings, i, component->shift));
     }
     add_number(table, findings_shown(findings, i, component->remainder));
@@ -153,11 +171,18 @@ static void print_above_worst(const findings *findings)
         for (size_t i = 0; i < n; i++) {
             wrap_say(&wrap, "%s%s", names[i], i + 1 < n ? "," : ":");
         }
-        wrap_say(&wrap, "%g sigma is more than the worst case. An error that is even within its tolerance has "
+        wrap_say(&wrap, "%g sigma is more than the worst case. An error that is %s its tolerance has "
                         "extremes, and is not normal: where one or two such errors make most of a component, it "
-                        "ends before %g standard deviations.", sigma, sigma);
+                        "ends before %g standard deviations.", sigma,
+                 any_is_spread(findings->answer) ? "cut at" : "even within", sigma);
         wrap_end(&wrap);
     }
+}
+
+/* What the column of shifts is called: by what they are. */
+static const char *shift_head(const findings *findings)
+{
+    return findings_are_shifted(findings) ? "\tshift" : findings->answer->loaded ? "\tload" : "";
 }
 
 bool text_components(const findings *findings)
@@ -167,7 +192,7 @@ bool text_components(const findings *findings)
     const bool along_tool = request->options->frame == ARMTOL_TOOL_FRAME;
     table table = TABLE_EMPTY;
     table_add(&table, "component\taccuracy\tworst case\t%g sigma%s\tremainder\tunit%s%s", request->options->sigma,
-              findings->answer->loaded ? "\tload" : "",
+              shift_head(findings),
               request->question.n_poses > 1 ? "\tpose" : "", optimum ? "\tbinds" : "");
     for (size_t i = 0; i < findings_measures(findings); i++) {
         add_component(findings, i, &table);
@@ -214,8 +239,10 @@ static bool print_drawn(const findings *findings)
     }
     printf("\n");
     wrap_start(&wrap, stdout, 0, 0);
-    wrap_say(&wrap, "%llu arms drawn within the tolerances (seed %llu): errors not exceeded by",
-             (unsigned long long)findings->verification->drawn, (unsigned long long)findings->request->options->seed);
+    wrap_say(&wrap, "%llu arms drawn within the tolerances%s (seed %llu): errors not exceeded by",
+             (unsigned long long)findings->verification->drawn,
+             any_is_spread(findings->answer) ? ", spread as above" : "",
+             (unsigned long long)findings->request->options->seed);
     wrap_end(&wrap);
     printf("\n");
     return table_finish(&table, NULL, NULL, FORMAT_TEXT, stdout);

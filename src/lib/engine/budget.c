@@ -61,7 +61,7 @@ static told told_of(const armtol_answer *answer, size_t measure, double row[])
     return told;
 }
 
-/* What a column's tolerance puts into it: a magnitude, or its covariance with its group, which by itself is a square. */
+/* What a column's tolerance puts into it: a magnitude, or its covariance with its group: by itself, a square. */
 static double contribution(const told *told, size_t column)
 {
     const armtol_answer *answer = told->answer;

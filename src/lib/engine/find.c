@@ -161,7 +161,8 @@ static bool is_rss(const armtol_question *question)
 /*
  * Method rss: an error that is even within its tolerance t has the standard deviation t / sqrt(3), so that sigma
  * standard deviations of a component are within its limit when the root of the summed squares is within
- * limit sqrt(3) / sigma; of an error that is spread otherwise t counts by its factor. What is given takes its part: of the sum, or of the sum of squares.
+ * limit sqrt(3) / sigma; of an error that is spread otherwise t counts by its factor. What is given takes its part: of
+ * the sum, or of the sum of squares.
  */
 static double left_of(const rows *rows, const armtol_answer *answer, size_t row, double accuracy)
 {

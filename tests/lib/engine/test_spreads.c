@@ -14,6 +14,7 @@
 #include "unity.h"
 
 #include <math.h>
+#include <string.h>
 
 enum { MOST_LINKS = 6, COLUMNS = 4 * MOST_LINKS, DRAWS = 100000, WZ = 5 };
 
@@ -29,6 +30,7 @@ typedef struct parallel {
 } parallel;
 
 static parallel chain;
+static double least[COLUMNS], largest[COLUMNS]; /* of its tolerances, where they are asked for */
 
 void tearDown(void)
 {
@@ -47,6 +49,8 @@ static void make(size_t n_links, armtol_error_spread spread)
     for (int i = 0; i < 6; i++) {
         chain.accuracy[i] = INFINITY;
     }
+    memset(least, 0, sizeof least);
+    memset(largest, 0, sizeof largest);
     chain.arm.links = chain.links;
     chain.arm.drives = chain.drives;
     chain.question = (armtol_question){.arm = &chain.arm, .q = chain.q, .n_poses = 1, .sigma = 3};
@@ -278,7 +282,6 @@ static void test_the_optimum_by_rss(void)
 /* Two columns, A = (1, 1): the weights' halves of the variance, and beside one that is held at its least. */
 static void test_the_optimum_by_rss_of_unlike_errors(void)
 {
-    double least[COLUMNS] = {0}, largest[COLUMNS];
     make(2, kinds[1]);
     chain.spreads[4] = kinds[3];
     chain.accuracy[WZ] = t;
@@ -385,10 +388,9 @@ static void test_what_is_refused(void)
     check_refused(&chain.question, ARMTOL_BAD_SPREAD, ARMTOL_ABOUT_SPREADS, 4);
 }
 
-/* A group's sum of signed errors is no sum of squares: by rss nothing is shared out among them, unless they are given. */
+/* A group's sum of signed errors is no sum of squares: by rss nothing is shared out among them. */
 static void test_groups_by_rss(void)
 {
-    double least[COLUMNS] = {0}, largest[COLUMNS] = {0};
     make(3, kinds[0]);
     chain.spreads[0].group = chain.spreads[4].group = 3;
     chain.accuracy[WZ] = t;

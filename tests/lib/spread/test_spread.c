@@ -111,7 +111,7 @@ static void test_variances_are_those_of_the_draws(void)
     }
 }
 
-/* 1/K^2 (1 - 2 K phi / (2 Phi - 1)), which loses digits of a small K; there the series 1/3 - 2/45 K^2 + 2/945 K^4 tells more. */
+/* 1/K^2 (1 - 2 K phi / (2 Phi - 1)), which loses digits of a small K (1/3 - 2/45 K^2 + 2/945 K^4). */
 static void test_variances_of_cut_normal_errors(void)
 {
     for (size_t i = 0; i < SIGMAS; i++) {
