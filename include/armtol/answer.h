@@ -159,8 +159,8 @@ typedef struct armtol_answer {
  *    ARMTOL_BAD_RANGE       about the ranges: not 0 <= least <= largest, the least finite; about the method: a range
  *                           that is not one value, by method sphere; a least that is not 0 where tolerances are given
  *    ARMTOL_BAD_SPREAD      about the spreads: one that is not known (armtol_spread_is_known), or unlike the first of
- *                           its group, or in a disc and not uniform by itself; by method rss a column that has its group in common with others, and a tolerance
- *                           that is asked for
+ *                           its group, or in a disc and not uniform by itself; by method rss a
+ *                           column that has its group in common with others, and a tolerance that is asked for
  *    ARMTOL_BAD_LOAD        about the loading: a mass < 0, a share that is not 0 to 1; about the drives: a number < 0,
  *                           or compliance where neither masses nor loads nor `moment` say what it bears
  *    ARMTOL_NOTHING_LEFT    about a row, or a norm's place

@@ -69,8 +69,8 @@ void cli_help(void)
          "      --weights W             what precision costs: NAME=NUMBER,... where NAME\n"
          "                              is a parameter (theta), a class (lengths, angles,\n"
          "                              motors, machining) or one of a link (3.alpha,\n"
-         "                              elbow.alpha); or a table\n"
-         "\n"
+         "                              elbow.alpha); or a table");
+    puts("\n"
          "      --given LIST            tolerances that are known, or have to be in a\n"
          "                              range: NAME=NUMBER, NAME=LEAST..LARGEST,\n"
          "                              NAME>=LEAST, NAME<=LARGEST, with the names of\n"

@@ -241,23 +241,21 @@ double armtol_worst_norm(const double matrix[], size_t n_columns, unsigned compo
 
 /* ---- standard deviations ---- */
 
-/* Of a column and all that it leads, by their factors; false where another one leads it, or nothing is done. */
-static bool spread_generator(const sight *sight, size_t column, double generator[3])
+/* Times `factor`, of a column and all that it leads, by their factors. 0 where another one leads it. */
+static void spread_generator(const sight *sight, size_t column, double factor, double generator[3])
 {
     const armtol_answer *of = sight->spread;
+    const size_t end = of != NULL && of->grouped ? sight->n_columns : column + 1;
     double part[3];
-    if (of == NULL) {
-        return generator_of(sight, column, generator);
-    }
     memset(generator, 0, 3 * sizeof *generator);
-    for (size_t k = column; k < (of->grouped ? sight->n_columns : column + 1); k++) {
-        if (of->leaders[k] == column && generator_of(sight, k, part)) {
+    for (size_t k = column; k < end; k++) {
+        if ((of == NULL || of->leaders[k] == column) && generator_of(sight, k, part)) {
+            const double by = of != NULL ? of->factors[k] * factor : factor;
             for (int i = 0; i < 3; i++) {
-                generator[i] += part[i] * of->factors[k];
+                generator[i] += by * part[i];
             }
         }
     }
-    return largest_of(generator) > 0;
 }
 
 static double deviations_of(sight seen, double factor, double direction[6])
@@ -269,10 +267,9 @@ static double deviations_of(sight seen, double factor, double direction[6])
         return sight.scale;
     }
     for (size_t k = 0; k < sight.n_columns; k++) {
-        if (spread_generator(&sight, k, generator)) {
-            for (int i = 0; i < 9; i++) {
-                squares[i / 3][i % 3] += factor * generator[i / 3] * (factor * generator[i % 3]);
-            }
+        spread_generator(&sight, k, factor, generator);
+        for (int i = 0; i < 9; i++) {
+            squares[i / 3][i % 3] += generator[i / 3] * generator[i % 3];
         }
     }
     farthest_of_ellipsoid((const double(*)[3])squares, sight.center, point);

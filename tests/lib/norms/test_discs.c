@@ -2,6 +2,8 @@
 
 #include "lib/norms/discs.h"
 #include "lib/norms/norm_discs.h"
+#include "lib/norms/spread_norm.h"
+#include "lib/spread/answer_spread.h"
 
 #include "lib/norms/cover.h"
 #include "support/check.h"
@@ -197,8 +199,12 @@ static void test_a_row_s_worst_case(void)
 static void test_a_row_s_squares(void)
 {
     const double of_disc = 3 * (0.2 * 0.2 / 4) * (9 + 16);
-    check_within(1e-15, sqrt(0.04 + of_disc + 2.25), discs_rss(row, 6, tolerances, discs), "with a disc");
-    check_within(1e-15, sqrt(0.04 + 1 + 2.25), discs_rss(row, 6, tolerances, NULL), "without");
+    double factors[6] = {1, DISC_FACTOR, DISC_FACTOR, 1, DISC_FACTOR, DISC_FACTOR};
+    size_t leaders[6] = {0, 1, 2, 3, 4, 5};
+    const armtol_answer answer = {.n_columns = 6, .factors = factors, .leaders = leaders};
+    check_within(1e-15, sqrt(0.04 + of_disc + 2.25), spread_rss(&answer, row, tolerances), "with a disc");
+    factors[1] = factors[2] = 1;
+    check_within(1e-15, sqrt(0.04 + 1 + 2.25), spread_rss(&answer, row, tolerances), "without");
 }
 
 static void test_the_corner_is_on_the_rim(void)
@@ -242,8 +248,10 @@ static void test_the_deviation_of_a_disc(void)
                  .matrix = {3, 4, 0, 0, 0, 0}};
     double direction[6];
     const double at[2] = {6, 8};
-    const double deviation = norm_discs_rss(sums.matrix, 3, 003, NULL, sums.tolerances, sums.discs, 1 / sqrt(3),
-                                            direction);
+    double factors[3] = {DISC_FACTOR, DISC_FACTOR, 1};
+    size_t leaders[3] = {0, 1, 2};
+    const armtol_answer answer = {.n_columns = 3, .matrices = sums.matrix, .factors = factors, .leaders = leaders};
+    const double deviation = spread_norm(&answer, 0, 003, NULL, sums.tolerances, 1 / sqrt(3), direction);
     check_within(1e-3, sqrt(squares_over_disc(at)), deviation, "along x");
 }
 
