@@ -182,7 +182,7 @@ static void test_what_is_refused(void)
     check_message("--weights is for the methods worst and rss",
                   (const char *const[]){DRAWN, "--weights", "theta=2", NULL});
     check_message("--against and --deviations compare two arms; expected no --accuracy, --tolerances, --given, "
-                  "--drawing, --weights, --budget, --verify or --iso9283 beside them",
+                  "--drawing, --weights, --spread, --budget, --verify or --iso9283 beside them",
                   (const char *const[]){DRAWN, "--against", "my.csv", NULL});
     check_message("--write-drawing is not for a map",
                   (const char *const[]){"map", "my.csv", "--plane", "xy", "--range", "1..2,1..2", "--drawing",
