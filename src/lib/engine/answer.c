@@ -86,15 +86,15 @@ static bool get_memory(armtol_answer *answer)
            answer->spreads != NULL && answer->factors != NULL && answer->leaders != NULL;
 }
 
-/* What is said of a column counts in every pose, unless a drive has told it and it is no more than that. */
+/* What is said of a column counts in every pose; where a drive has told it, in the poses in which that is less. */
 static void set_tolerance(armtol_answer *answer, size_t column, double tolerance, bool driven)
 {
-    if (driven && !(tolerance > answer->tolerances[column])) {
-        return;
-    }
-    answer->tolerances[column] = tolerance;
+    const double least = driven ? answer->tolerances[column] : 0;
+    answer->tolerances[column] = fmax(tolerance, least);
     for (size_t pose = 0; pose < answer->n_poses; pose++) {
-        answer->bounded[pose * answer->n_columns + column] = isfinite(tolerance) ? tolerance : 0;
+        double *bounded = &answer->bounded[pose * answer->n_columns + column];
+        const double drive = driven ? *bounded : 0;
+        *bounded = isfinite(answer->tolerances[column]) ? fmax(tolerance, drive) : 0;
     }
 }
 

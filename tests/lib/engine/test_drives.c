@@ -197,6 +197,21 @@ static void test_a_given_tolerance_larger_than_the_drive_counts(void)
     armtol_answer_destroy(answer);
 }
 
+/* The play of 0.001 is held in the first pose and not in the second, where the link hangs. */
+static void test_a_given_tolerance_counts_where_the_drive_has_less(void)
+{
+    load();
+    one.drive.friction = 0.1;
+    one.question.n_poses = 2;
+    one.q[1] = -1.5707963267948966;
+    one.tolerances[0] = 0.0008;
+    armtol_answer *answer = answer_of(&one.question);
+    check_same(0.0008, answer->bounded[0], "half a step is less");
+    check_within(1e-15, 0.001 + 1e-4, answer->bounded[answer->n_columns], "play and half a step are more");
+    check_within(1e-15, 0.001 + 1e-4, answer->tolerances[0], "the larger");
+    armtol_answer_destroy(answer);
+}
+
 static void test_nothing_is_left(void)
 {
     one.drive.backlash = 0.002;
@@ -405,6 +420,7 @@ int main(void)
     RUN_TEST(test_the_budget_tells_loads_apart);
     RUN_TEST(test_what_is_given_takes_its_part);
     RUN_TEST(test_a_given_tolerance_larger_than_the_drive_counts);
+    RUN_TEST(test_a_given_tolerance_counts_where_the_drive_has_less);
     RUN_TEST(test_nothing_is_left);
     RUN_TEST(test_all_is_given);
     RUN_TEST(test_ranges_and_loads_that_are_none);

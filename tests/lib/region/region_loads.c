@@ -91,7 +91,6 @@ static void draw_loading(drawn *drawn, random_source *source, bool tilted)
     drawn->loading.n_payloads = tilted ? CASES : 1;
 }
 
-/* With several cases motors have what their drives make of them: note 6 of region.h. */
 static void draw_tolerances(drawn *drawn, random_source *source)
 {
     armtol_column columns[MOST_COLUMNS];
@@ -99,9 +98,7 @@ static void draw_tolerances(drawn *drawn, random_source *source)
     armtol_columns(drawn->arm.links, drawn->arm.n_links, columns, drawn->n_columns);
     for (size_t k = 0; k < drawn->n_columns; k++) {
         const double most = armtol_parameter_is_length(columns[k].parameter) ? 0.1 : 4e-4;
-        const bool motor = armtol_joint_moves(drawn->arm.links[columns[k].link].joint, columns[k].parameter);
-        const double tolerance = random_between(source, 0, most);
-        drawn->tolerances[k] = motor && drawn->loading.n_payloads > 1 ? 0 : tolerance;
+        drawn->tolerances[k] = random_between(source, 0, most);
     }
 }
 
