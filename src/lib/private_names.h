@@ -1,6 +1,4 @@
 #ifndef ARMTOL_LIB_PRIVATE_NAMES_H
-#define draw_start_sampler armtol_private_draw_start_sampler
-#define normal_quantile armtol_private_normal_quantile
 #define ARMTOL_LIB_PRIVATE_NAMES_H
 
 /*
@@ -82,6 +80,8 @@
 #define kernels_portable armtol_private_kernels_portable
 #define given_axes_of armtol_private_given_axes_of
 #define length_of armtol_private_length_of
+#define draw_start_sampler armtol_private_draw_start_sampler
+#define normal_quantile armtol_private_normal_quantile
 #define length_of_vector armtol_private_length_of_vector
 #define map_answers armtol_private_map_answers
 #define map_blocks armtol_private_map_blocks

@@ -1,7 +1,7 @@
 #include "armtol/against/against.h"
 
 #include "armtol/names/link_name.h"
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 #include "console/table.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 #include "armtol/map/output.h"
 
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 
 #include <math.h>
 #include <stdio.h>

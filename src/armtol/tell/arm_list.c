@@ -1,7 +1,7 @@
 #include "armtol/tell/arm_list.h"
 
 #include "armtol/names/link_name.h"
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 
 #include "armtol/tell/output.h"
 #include "armtol/tell/text_tables.h"
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 #include "console/table.h"
 
 #include <math.h>

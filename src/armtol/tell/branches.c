@@ -2,7 +2,7 @@
 
 #include "armtol/armtol.h"
 #include "armtol/tell/json_arms.h"
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 #include "console/number.h"
 
 #include <stdio.h>

@@ -3,7 +3,7 @@
 
 #include "armtol/arm.h"
 #include "armtol/ask/units.h"
-#include "armtol/tell/json.h"
+#include "armtol/forms/json.h"
 
 /*
  * --list --json and --show --json, on standard output. The arm is in the units' length, its angles in radians; the

@@ -1,6 +1,6 @@
 #include "armtol/tell/laying.h"
 
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 
 #include <stdio.h>
 

@@ -2,7 +2,7 @@
 #define ARMTOL_TELL_OUTPUT_H
 
 #include "armtol/tell/findings.h"
-#include "armtol/tell/json.h"
+#include "armtol/forms/json.h"
 
 #include <stdbool.h>
 

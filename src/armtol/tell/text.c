@@ -4,7 +4,7 @@
 #include "armtol/names/link_name.h"
 #include "armtol/tell/laying.h"
 #include "armtol/tell/text_tables.h"
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 
 #include <math.h>
 #include <stdio.h>

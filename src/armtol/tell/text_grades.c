@@ -1,7 +1,7 @@
 #include "armtol/names/link_name.h"
 #include "armtol/tell/grades.h"
 #include "armtol/tell/text_tables.h"
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 #include "console/table.h"
 
 #include <stdio.h>

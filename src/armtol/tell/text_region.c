@@ -1,6 +1,6 @@
 #include "armtol/tell/text_tables.h"
 
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 #include "console/table.h"
 
 #include <math.h>

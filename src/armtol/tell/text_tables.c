@@ -1,7 +1,7 @@
 #include "armtol/tell/text_tables.h"
 
 #include "armtol/names/link_name.h"
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 #include "console/table.h"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #include "lib/arrivals/sources.h"
 #include "lib/engine/check.h"
 #include "lib/engine/draw.h"
-#include "lib/tool/splitmix.h"
+#include "lib/spread/splitmix.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,7 +1,7 @@
 #include "lib/arrivals/one_arm.h"
 
-#include "lib/arrivals/normal_quantile.h"
-#include "lib/tool/splitmix.h"
+#include "lib/spread/normal.h"
+#include "lib/spread/splitmix.h"
 
 #include <math.h>
 

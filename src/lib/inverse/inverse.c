@@ -6,7 +6,7 @@
 #include "lib/pi.h"
 #include "lib/report/finite.h"
 #include "lib/report/trigonometry.h"
-#include "lib/tool/splitmix.h"
+#include "lib/spread/splitmix.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 #include "lib/region/pose_search.h"
 
-#include "lib/tool/splitmix.h"
+#include "lib/spread/splitmix.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -139,3 +139,9 @@ double normal_of_tail(double tail)
     const double r = sqrt(-logarithm(tail));
     return r <= 5 ? quotient_at(&near, r - 1.6) : quotient_at(&far, r - 5);
 }
+
+double normal_quantile(double p)
+{
+    const double half = p - 0.5;
+    return fabs(half) <= 0.425 ? normal_of_half(half) : half < 0 ? -normal_of_tail(p) : normal_of_tail(1 - p);
+}

@@ -14,10 +14,13 @@ double normal_tail(double x);
 /* The variance of what is within x of 0, in x^2. */
 double normal_cut_variance(double x);
 
-/* The x with Phi(x) = 1/2 + half; 0 <= half <= 0.425. */
+/* The x with Phi(x) = 1/2 + half; of either sign, up to 0.425. */
 double normal_of_half(double half);
 
 /* The x with Phi(-x) = tail; 1e-300 <= tail <= 0.075. */
 double normal_of_tail(double tail);
+
+/* The x with Phi(x) = p; 1e-300 <= p < 1. */
+double normal_quantile(double p);
 
 #endif

@@ -5,8 +5,8 @@
 #include "armtol/transform.h"
 #include "lib/report/columns.h"
 #include "lib/report/finite.h"
+#include "lib/spread/splitmix.h"
 #include "lib/tool/pose_link.h"
-#include "lib/tool/splitmix.h"
 
 #define LANES 1
 #include "lib/lanes/frame.h"

@@ -4,8 +4,8 @@
 #include "armtol/sampler.h"
 #include "lib/lanes/rotation.h"
 #include "lib/lanes/sincos.h"
+#include "lib/spread/splitmix.h"
 #include "lib/tool/disc_draw.h"
-#include "lib/tool/splitmix.h"
 
 /* The errors of the tool of many arms (lanes.h). */
 

@@ -1,7 +1,7 @@
 #ifndef ARMTOL_PAGE_WASM_TOLD_H
 #define ARMTOL_PAGE_WASM_TOLD_H
 
-#include "armtol/tell/json.h"
+#include "armtol/forms/json.h"
 
 /* What the page is told: one JSON object, which stays until the next one is begun. */
 

@@ -1,4 +1,4 @@
-#include "armtol/tell/wrap.h"
+#include "armtol/forms/wrap.h"
 
 #include <stdarg.h>
 #include <string.h>

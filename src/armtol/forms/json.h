@@ -1,5 +1,5 @@
-#ifndef ARMTOL_TELL_JSON_H
-#define ARMTOL_TELL_JSON_H
+#ifndef ARMTOL_FORMS_JSON_H
+#define ARMTOL_FORMS_JSON_H
 
 #include <stdbool.h>
 #include <stddef.h>

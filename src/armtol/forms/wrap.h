@@ -1,5 +1,5 @@
-#ifndef ARMTOL_TELL_WRAP_H
-#define ARMTOL_TELL_WRAP_H
+#ifndef ARMTOL_FORMS_WRAP_H
+#define ARMTOL_FORMS_WRAP_H
 
 #include "console/message.h"
 

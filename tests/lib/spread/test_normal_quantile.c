@@ -1,6 +1,6 @@
 /* The quantiles of the normal distribution: against libm's erfc, and numbers of printed tables. */
 
-#include "lib/arrivals/normal_quantile.h"
+#include "lib/spread/normal.h"
 #include "support/check.h"
 
 #include "unity.h"

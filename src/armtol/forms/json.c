@@ -1,4 +1,4 @@
-#include "armtol/tell/json.h"
+#include "armtol/forms/json.h"
 
 #include "console/number.h"
 
