@@ -165,7 +165,7 @@ static void test_what_goes_with_it(void)
                   "--iso9283 is for poses that are listed; expected no --region");
     check_refused((const char *const[]){"slides.csv", "--joints", "1,2,3", "--against", "slides.csv", "--iso9283",
                                         NULL},
-                  "expected no --accuracy, --tolerances, --given, --weights, --budget, --verify or --iso9283 beside");
+                  "--drawing, --weights, --spread, --budget, --verify or --iso9283 beside");
     check_refused((const char *const[]){"map", "slides.csv", "--plane", "xy", "--range", "0..1,0..1", "--iso9283",
                                         NULL},
                   "--verify, --seed, --threads, --iso9283, --budget, --tool-pose and --wish are not for a map");
