@@ -162,10 +162,12 @@ mutants: setup $(BUILD)/wished-expat $(BUILD)/wished-nlopt
 	@tests/trust/mutants "$(CURDIR)" "$(abspath $(BUILD))/mutants" --mutants $(MUTANTS) --seed $(SEED) \
 	    $(if $(AGAIN),--again)
 
-# All code but legacy/ read by gcc's and clang's analysers and cppcheck; any finding is a failure.
+# All code but legacy/ read by gcc's and clang's analysers and cppcheck; any finding is a failure. ANALYSERS says which:
+# gcc analyzer clang-tidy cppcheck.
+ANALYSERS ?=
 analyse: setup
 	@.ci/setup gcc clang clang-tidy cppcheck --wish expat nlopt
-	@tests/analysis/analyse $(BUILD)/analyse $(JOBS)
+	@tests/analysis/analyse $(BUILD)/analyse $(JOBS) $(ANALYSERS)
 
 # The last commit as a tarball, the same bytes whenever it is made; what is not committed is not in it.
 committed_version = git show HEAD:CMakeLists.txt | sed -n 's/^project(armtol VERSION \([0-9.]*\) .*/\1/p'
