@@ -60,6 +60,13 @@ static void test_distributions(void)
     remove("memory_ends.csv");
 }
 
+static void test_a_drawing(void)
+{
+    write_file("memory_drawing.csv", "link,angle\n1,.001\n2,.001\n");
+    check_short_main(armtol_main, (const char *const[]){POSED, "--drawing", "memory_drawing.csv", NULL}, 8);
+    remove("memory_drawing.csv");
+}
+
 /* What leaves nothing is asked for once more, to be named. */
 static void test_no_answer(void)
 {
@@ -114,6 +121,7 @@ int main(void)
     RUN_TEST(test_every_answer);
     RUN_TEST(test_positions);
     RUN_TEST(test_distributions);
+    RUN_TEST(test_a_drawing);
     RUN_TEST(test_no_answer);
     RUN_TEST(test_another_arm);
     RUN_TEST(test_regions);

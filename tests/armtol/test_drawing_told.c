@@ -171,6 +171,20 @@ static void test_a_drawing_is_written_and_read(void)
     text_check(written, sizeof written - 1, &process.output, "on standard output");
 }
 
+/* Seen from above the slide of a SCARA may lean as it likes. */
+static void test_what_has_no_bound_is_a_dash(void)
+{
+    process process;
+    run_well(&process, folder.text, (const char *const[]){"scara", "--joints", "0,1,.1,0", "--accuracy",
+                                                          "dx=.02,dy=.02", "--write-drawing", "open.csv", NULL});
+    run_well(&process, folder.text,
+             (const char *const[]){"scara", "--joints", "0,1,.1,0", "--accuracy", "dx=.02,dy=.02", "--write-drawing",
+                                   "-", NULL});
+    check_says(&process, ",-,a,mm rad\n3,");
+    run_well(&process, folder.text,
+             (const char *const[]){"scara", "--joints", "0,1,.1,0", "--drawing", "open.csv", NULL});
+}
+
 /* ---- what is refused ---- */
 
 static void test_what_is_refused(void)
@@ -215,6 +229,7 @@ int main(void)
     RUN_TEST(test_maps_have_discs);
     RUN_TEST(test_shards_of_maps_know_discs);
     RUN_TEST(test_a_drawing_is_written_and_read);
+    RUN_TEST(test_what_has_no_bound_is_a_dash);
     RUN_TEST(test_what_is_refused);
     RUN_TEST(test_a_distance_beyond_doubles);
     return UNITY_END();

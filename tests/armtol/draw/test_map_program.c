@@ -192,6 +192,7 @@ static void test_squares_where_no_grid_is_asked_for(void)
         {"200..300,200..216", ", 51 x 9 points "},          /* of 2 mm: 1 and 1.5 mm are too many */
         {"200..300,200..233.3", ", 61 x 21 points "},       /* no round side: 60 and 20 of nearly 1.67 mm */
         {"200..300,200..200.1", ", 61 x 2 points "},
+        {"-600..600,-300..300", ", 61 x 31 points "},       /* of 20 mm */
     };
     const string folder = folder_with_flat();
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

@@ -62,8 +62,9 @@ static void test_memory_for_a_norm(void)
 /* Drives under a load have corners of their own. */
 static void test_memory_for_loads(void)
 {
-    const double low[4] = {0, 0.2, 100, 0}, high[4] = {0.2, 0.4, 110, 0};
-    const armtol_norm disc = {3, 2};
+    const double low[4] = {0, 0.2, 100, 0}, high[4] = {0.05, 0.25, 105, 0};
+    const double free_one = (double)INFINITY, accuracy[6] = {2, free_one, free_one, free_one, free_one, free_one};
+    const armtol_enclosing coarse = {.gap = 0.1};
     const armtol_mass payload = {.mass = 2};
     const armtol_region region = {.low = low, .high = high};
     armtol_arm arm = *armtol_arm_named("scara");
@@ -77,8 +78,8 @@ static void test_memory_for_loads(void)
     loading.gravity[0] = 3;
     loading.payloads = &payload;
     loading.n_payloads = 1;
-    const armtol_question question = {.arm = &arm, .norms = &disc, .n_norms = 1, .loading = &loading};
-    check_every_allocation(&question, &region, NULL);
+    const armtol_question question = {.arm = &arm, .accuracy = accuracy, .loading = &loading};
+    check_every_allocation(&question, &region, &coarse);
 }
 
 int main(void)
