@@ -208,6 +208,14 @@ static void test_what_is_refused(void)
                   (const char *const[]){"my.csv", "--region", "q1=0..1;q2=0..1", "--drawing", "drawing.csv", NULL});
 }
 
+/* The upper arm may be 0.1 longer, all along dx, which has 0.05. */
+static void test_a_drawing_that_is_too_coarse(void)
+{
+    file_write(string_of("%s/d.csv", folder.text).text, "link,distance\nupper,.1\n");
+    check_message("no tolerances: what is given uses 200 % of dx in pose 1: machining of link 0 (upper) 200 %",
+                  (const char *const[]){AT_0, "--drawing", "d.csv", "--accuracy", ".05,-,-,-,-,-", NULL});
+}
+
 static void test_a_distance_beyond_doubles(void)
 {
     file_write(string_of("%s/d.csv", folder.text).text, "link,distance\n0,1e306\n");
@@ -231,6 +239,7 @@ int main(void)
     RUN_TEST(test_a_drawing_is_written_and_read);
     RUN_TEST(test_what_has_no_bound_is_a_dash);
     RUN_TEST(test_what_is_refused);
+    RUN_TEST(test_a_drawing_that_is_too_coarse);
     RUN_TEST(test_a_distance_beyond_doubles);
     return UNITY_END();
 }

@@ -89,15 +89,16 @@ static void say(const request *request, const armtol_answer *answer, const armto
 {
     const size_t n_loads = request->loading.n_payloads, place = exceeded->place;
     const double percent = 100 * whole_of(answer, exceeded) / exceeded->accuracy;
+    const cli_options *options = request->options;
+    const bool given = options->given != NULL || options->drawing != NULL || request->question.spreads != NULL;
     char sources[NAMED * (sizeof(link_text) + 40) + 32] = "", load[32] = "";
     if (n_loads > 1) {
         snprintf(load, sizeof load, " with load %zu", place % n_loads + 1);
     }
     list_sources(&request->arm, budget, exceeded, percent, sources, sizeof sources);
     message("no tolerances: %s %.4g %% of %s in pose %zu%s: %s",
-            request->options->given != NULL || request->question.spreads != NULL ? "what is given uses"
-                                                                                 : "the drives alone use", percent,
-            exceeded->name, place / (n_loads > 0 ? n_loads : 1) + 1, load, sources);
+            given ? "what is given uses" : "the drives alone use", percent, exceeded->name,
+            place / (n_loads > 0 ? n_loads : 1) + 1, load, sources);
 }
 
 int nothing_left(const request *request, const armtol_fault *fault)
