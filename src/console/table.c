@@ -94,7 +94,7 @@ static void measure(table *table)
     }
 }
 
-/* The first column, which says what a row is about, and those from `begin` on up to `end`. */
+/* The columns that say what a row is about, the first and n_more, and those from `begin` on up to `end`. */
 typedef struct table_part {
     size_t begin, end;
 } table_part;
@@ -105,7 +105,7 @@ static void print_row(const table *table, const table_row *row, table_part part,
     static const char *const between[FORMAT_COUNT] = {"  ", " | ", "\t"};
     static const char *const end[FORMAT_COUNT] = {"\n", " |\n", "\n"};
     fputs(begin[format], stream);
-    for (size_t j = 0; j < part.end; j = j == 0 ? part.begin : j + 1) {
+    for (size_t j = 0; j < part.end; j = j == table->n_more ? part.begin : j + 1) {
         const char *cell = row->cells[j];
         const int more = (int)(strlen(cell) - characters_of(cell)); /* printf counts bytes */
         const int width = format == FORMAT_TSV ? 0 : table->widths[j] + more;
@@ -141,7 +141,10 @@ static void print_rows(const table *table, table_part part, table_format format,
 static table_part part_from(const table *table, size_t begin)
 {
     table_part part = {begin, begin};
-    int width = 2 + table->widths[0];
+    int width = 0;
+    for (size_t j = 0; j <= table->n_more; j++) {
+        width += 2 + table->widths[j];
+    }
     do {
         width += 2 + table->widths[part.end++];
     } while (part.end < table->n_columns && width + 2 + table->widths[part.end] <= LINE);
@@ -185,8 +188,9 @@ static void cut_first(table *table)
 /* A table that is wider than a line comes in parts below each other. */
 static void print_parts(const table *table, FILE *stream)
 {
-    for (table_part part = {1, 1}; part.end < table->n_columns;) {
-        fputs(part.end > 1 ? "\n" : "", stream);
+    const size_t first = table->n_more + 1;
+    for (table_part part = {first, first}; part.end < table->n_columns;) {
+        fputs(part.end > first ? "\n" : "", stream);
         part = part_from(table, part.end);
         print_rows(table, part, FORMAT_TEXT, stream);
     }
@@ -199,11 +203,11 @@ bool table_finish(table *table, const char *title, const char *remark, table_for
     if (fine && title != NULL) {
         table_print_title(title, remark, format, stream);
     }
-    if (fine && format == FORMAT_TEXT && table->n_columns > 1) {
+    if (fine && format == FORMAT_TEXT && table->n_columns > table->n_more + 1) {
         cut_first(table);
         print_parts(table, stream);
     } else if (fine) {
-        print_rows(table, (table_part){1, table->n_columns}, format, stream);
+        print_rows(table, (table_part){table->n_more + 1, table->n_columns}, format, stream);
     }
     free(table->rows);
     *table = (struct table)TABLE_EMPTY;

@@ -26,6 +26,7 @@ typedef struct table {
     size_t n_columns; /* cells of the head */
     size_t n_cells;   /* of the last row, so far */
     int widths[TABLE_COLUMNS]; /* of the columns, in characters, when it is printed */
+    size_t n_more;    /* columns behind the first that say what a row is about too */
     bool cut_first;   /* the ends of long cells of the first column may go, to keep a text within a line */
     bool failed;      /* memory was short: a message has said so, and nothing is added any more */
 } table;
@@ -57,8 +58,9 @@ void table_print_title(const char *title, const char *remark, table_format forma
 
 /*
  * Print a table, below its title unless that is NULL, and free it: the first column to the left, the others to the
- * right. As text no line has more than 80 characters, unless two columns do: a wider table comes in parts below each
- * other, each with the first column. False where a row had found no memory: nothing is printed.
+ * right. As text a wider table than 80 characters comes in parts below each other, each with the columns that say what
+ * a row is about: no line is longer, unless these and one more are. False where a row had found no memory: nothing is
+ * printed.
  */
 bool table_finish(table *table, const char *title, const char *remark, table_format format, FILE *stream);
 

@@ -161,6 +161,32 @@ static void test_what_is_wider_than_a_line_comes_in_parts(void)
                        "  name  sixsix\n  a          4\n");
 }
 
+/* Of a table that is about two columns both stand in each part; 2 + 4 + 2 + 4 + 2 + 30 + 2 + 30 = 76. */
+static void fill_with_two_keys(table *table)
+{
+    table->n_more = 1;
+    table_add(table, "link\twhat\t%030d\t%030d\tlast", 1, 2);
+    table_add(table, "0\ta\t1\t2\t3");
+}
+
+static void test_what_rows_are_about_is_in_all_parts(void)
+{
+    table table = TABLE_EMPTY;
+    check_table(fill_with_two_keys, (const char *const[]){
+        "  link  what  000000000000000000000000000001  000000000000000000000000000002\n"
+        "  0        a                               1                               2\n\n"
+        "  link  what  last\n"
+        "  0        a     3\n",
+        "| link | what | 000000000000000000000000000001 | 000000000000000000000000000002 | last |\n"
+        "|------|-----:|-------------------------------:|-------------------------------:|-----:|\n"
+        "| 0    |    a |                              1 |                              2 |    3 |\n",
+        "link\twhat\t000000000000000000000000000001\t000000000000000000000000000002\tlast\n"
+        "0\ta\t1\t2\t3\n"});
+    table.n_more = 1; /* and nothing else */
+    table_add(&table, "link\twhat");
+    check_text(&table, "  link  what\n");
+}
+
 /* As many as a line has, in characters, which are not bytes. */
 static void test_a_line_holds_eighty_characters(void)
 {
@@ -199,6 +225,7 @@ int main(void)
     RUN_TEST(test_titles);
     RUN_TEST(test_names_of_formats);
     RUN_TEST(test_what_is_wider_than_a_line_comes_in_parts);
+    RUN_TEST(test_what_rows_are_about_is_in_all_parts);
     RUN_TEST(test_a_line_holds_eighty_characters);
     RUN_TEST(test_names_are_cut_where_that_is_enough);
     return UNITY_END();

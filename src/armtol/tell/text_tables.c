@@ -50,7 +50,7 @@ bool text_parameters(const findings *findings)
 {
     const bool spread = any_is_spread(findings->answer), shifted = findings_are_shifted(findings);
     const bool shows_origin = findings->request->tolerances == NULL && any_is_set(findings->answer);
-    table table = {.cut_first = true};
+    table table = {.n_more = 2, .cut_first = true};
     table_add(&table, "link\tkind\tparameter\tmoved by\tnominal\ttolerance\tunit%s%s%s",
               shifted ? "\tshift" : "", spread ? "\tspread" : "", shows_origin ? "\tset by" : "");
     for (size_t k = 0; k < findings->answer->n_columns; k++) {
