@@ -216,6 +216,25 @@ static void test_a_drawing_that_is_too_coarse(void)
                   (const char *const[]){AT_0, "--drawing", "d.csv", "--accuracy", ".05,-,-,-,-,-", NULL});
 }
 
+/* The drawing holds to both sides: not about the middle that the table says of the same a, but of what is on paper. */
+static void test_a_drawing_has_no_mean(void)
+{
+    process process;
+    file_write(string_of("%s/ends.csv", folder.text).text, "link,parameter,upper,lower\n0,a,.3,.1\n");
+    run_well(&process, folder.text, (const char *const[]){DRAWN, "--tolerances", "ends.csv", NULL});
+    check_says(&process, "\n  0 upper   ppr          a  machining      100        0.1    mm\n");
+    run_well(&process, folder.text, (const char *const[]){DRAWN, "--tolerances", "ends.csv", "--csv", NULL});
+    TEST_ASSERT_NULL(strstr(process.output.bytes, "shift"));
+    check_message("--write-drawing: the mean of a of link 0 (upper) is not 0, and a drawing says the same to both "
+                  "sides; expected no shift, and no upper and lower that differ",
+                  (const char *const[]){AT_0, "--tolerances", "ends.csv", "--write-drawing", "-", NULL});
+    file_write(string_of("%s/motors.csv", folder.text).text, "link,parameter,shift\n0,theta,.1\n");
+    run_well(&process, folder.text,
+             (const char *const[]){AT_0, "--accuracy", "1,1,1,1,1,1", "--drawing", "drawing.csv", "--tolerances",
+                                   "theta=.001", "--spread", "motors.csv", "--write-drawing", "-", NULL});
+    check_says(&process, "link,distance,angle,split,unit\n0,0.09999"); /* motors are in no drawing */
+}
+
 static void test_a_distance_beyond_doubles(void)
 {
     file_write(string_of("%s/d.csv", folder.text).text, "link,distance\n0,1e306\n");
@@ -240,6 +259,7 @@ int main(void)
     RUN_TEST(test_what_has_no_bound_is_a_dash);
     RUN_TEST(test_what_is_refused);
     RUN_TEST(test_a_drawing_that_is_too_coarse);
+    RUN_TEST(test_a_drawing_has_no_mean);
     RUN_TEST(test_a_distance_beyond_doubles);
     return UNITY_END();
 }

@@ -311,13 +311,13 @@ static bool take_delta(request *request)
     return fine && *delta != 0;
 }
 
-static bool take_tolerances(request *request, const char *path, double means[])
+static bool take_tolerances(request *request, const char *path)
 {
     for (size_t k = 0; k < request->n_columns; k++) {
         const armtol_column *column = &request->columns[k];
         const bool is_length = armtol_parameter_is_length(column->parameter);
         if (!take_value(&request->units, is_length, &request->tolerances[k]) ||
-            !take_value(&request->units, is_length, &means[k])) {
+            !take_value(&request->units, is_length, &request->means[k])) {
             message("--tolerances: %s: %s of %s: the tolerance is too large", path,
                     armtol_parameter_name(column->parameter),
                     link_words(&request->arm, column->link, &(link_text){""}));
@@ -344,23 +344,6 @@ bool request_read_parameters(const request *request, const char *before, const c
     return fine;
 }
 
-/* Of errors from a lower to an upper end the middles are shifts, which only poses that are listed know. */
-static bool take_means(request *request, const char *path, const double means[])
-{
-    bool any = false;
-    for (size_t k = 0; k < request->n_columns; k++) {
-        request->spreads[k].shift += means[k];
-        any = any || means[k] != 0;
-    }
-    if (any && (request->options->region != NULL || request->options->action == CLI_MAP)) {
-        message("--tolerances: %s: upper and lower are for poses that are listed; expected a column tolerance with "
-                "--region and maps", path);
-        return false;
-    }
-    request->question.spreads = any ? request->spreads : request->question.spreads;
-    return true;
-}
-
 static bool read_tolerances(request *request)
 {
     const char *path = request->options->tolerances;
@@ -368,16 +351,9 @@ static bool read_tolerances(request *request)
         const named_columns of = {request->question.arm, request->columns, request->n_columns};
         return given_tolerances_parse(path, &of, &request->units, request->tolerances);
     }
-    double *means = calloc(request->n_columns, sizeof *means);
-    if (means == NULL) {
-        out_of_memory();
-        return false;
-    }
-    const parameter_table table = {.value = "tolerance", .zero_allowed = true, .means = means};
-    const bool fine = request_read_parameters(request, "--tolerances: ", path, table, request->tolerances) &&
-                      take_tolerances(request, path, means) && take_means(request, path, means);
-    free(means);
-    return fine;
+    const parameter_table table = {.value = "tolerance", .zero_allowed = true, .means = request->means};
+    return request_read_parameters(request, "--tolerances: ", path, table, request->tolerances) &&
+           take_tolerances(request, path);
 }
 
 static bool take_spreads(request *request, const named_columns *of)
@@ -458,6 +434,46 @@ static bool take_drawing(request *request)
     return true;
 }
 
+/* ---- means ---- */
+
+/*
+ * Of errors from a lower to an upper end the middles are shifts, which only poses that are listed know. Where the
+ * drawing holds they go with the tolerance.
+ */
+static bool take_means(request *request)
+{
+    bool any = false;
+    for (size_t k = 0; k < request->n_columns; k++) {
+        const double mean = request->drawn[k] ? 0 : request->means[k];
+        request->spreads[k].shift += mean;
+        any = any || mean != 0;
+    }
+    if (any && (request->options->region != NULL || request->options->action == CLI_MAP)) {
+        message("--tolerances: %s: upper and lower are for poses that are listed; expected a column tolerance with "
+                "--region and maps", request->options->tolerances);
+        return false;
+    }
+    request->question.spreads = any ? request->spreads : request->question.spreads;
+    return true;
+}
+
+/* What a drawing says is the same to both sides of what is on paper. */
+static bool check_written(const request *request)
+{
+    for (size_t k = 0; k < request->n_columns && request->options->write_drawing != NULL; k++) {
+        const armtol_column *column = &request->columns[k];
+        const armtol_link *link = &request->arm.links[column->link];
+        if (request->spreads[k].shift != 0 && column->parameter != ARMTOL_THETA &&
+            !armtol_joint_moves(link->joint, column->parameter)) {
+            message("--write-drawing: the mean of %s of %s is not 0, and a drawing says the same to both sides; "
+                    "expected no shift, and no upper and lower that differ", armtol_parameter_name(column->parameter),
+                    link_words(&request->arm, column->link, &(link_text){""}));
+            return false;
+        }
+    }
+    return true;
+}
+
 static bool get_memory(request *request)
 {
     const armtol_arm *arm = request->question.arm;
@@ -467,6 +483,7 @@ static bool get_memory(request *request)
     request->weights = calloc(n, sizeof *request->weights);
     request->least = calloc(n, sizeof *request->least);
     request->largest = calloc(n, sizeof *request->largest);
+    request->means = calloc(n, sizeof *request->means);
     request->spreads = calloc(n, sizeof *request->spreads);
     request->groups = calloc(n, sizeof *request->groups);
     request->drawn = calloc(n, sizeof *request->drawn);
@@ -476,7 +493,7 @@ static bool get_memory(request *request)
     }
     return enough_memory(request->columns != NULL && request->weights != NULL && request->least != NULL &&
                          request->largest != NULL && request->drawn != NULL && request->discs != NULL &&
-                         request->spreads != NULL && request->groups != NULL &&
+                         request->means != NULL && request->spreads != NULL && request->groups != NULL &&
                          (!gives_all(request->options) || request->tolerances != NULL));
 }
 
@@ -492,7 +509,8 @@ static bool take_values(request *request)
     return given_parse(request->options->given, &of, &request->units, request->least, request->largest) &&
            take_spreads(request, &of) && take_accuracy(request) && take_delta(request) &&
            weights_parse(request->options->weights, arm, request->columns, request->n_columns, request->weights) &&
-           (request->options->tolerances == NULL || read_tolerances(request)) && take_drawing(request);
+           (request->options->tolerances == NULL || read_tolerances(request)) && take_drawing(request) &&
+           take_means(request) && check_written(request);
 }
 
 int request_make(request *request, const cli_options *options, const arm_model *model)
@@ -521,6 +539,7 @@ void request_free(request *request)
     free(request->tolerances);
     free(request->least);
     free(request->largest);
+    free(request->means);
     drawing_free(&request->drawing);
     free(request->drawn);
     free(request->discs);

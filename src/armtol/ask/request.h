@@ -19,6 +19,7 @@ typedef struct request {
     armtol_norm norms[ARMTOL_MOST_NORMS];
     double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */
     double *least, *largest;
+    double *means;                    /* of errors from a lower to an upper end; part of spreads */
     drawing drawing;    /* of --drawing, in inside units; no rows without */
     bool *drawn;        /* a column of A: what it says something of */
     bool *discs;        /* the question's */
