@@ -124,7 +124,8 @@ static void test_names_that_do_not_hold(void)
     check_refused("2:3: distance: \"H7\" " TO_BOTH, DISTANCE "0,H7,a\n");
     check_refused("2:3: distance: \"g6\" " TO_BOTH, DISTANCE "0,g6,a\n");
     check_refused("2:3: distance: \"IT13\" " TO_BOTH, DISTANCE "0,IT13,a\n");
-    check_refused("2:3: distance: \"2768-c\" is not a number", DISTANCE "0,2768-c,a\n");
+    check_refused("2:3: distance: \"2768-c\" " TO_BOTH, DISTANCE "0,2768-c,a\n");
+    check_refused("2:3: distance: \"2768-mK\" " TO_BOTH, DISTANCE "0,2768-mK,a\n");
     check_refused("2:3: distance: \"7IT\" is not a number", DISTANCE "0,7IT,a\n");
     check_refused("2:3: distance: \"IT7\" is for lengths above 0, to 500 mm", DISTANCE "3,IT7,a\n");
     check_refused("2:3: distance: \"IT7\" is for lengths above 0, to 500 mm", DISTANCE "4,IT7,a\n");
@@ -198,6 +199,7 @@ static void test_others_that_are_wrong(void)
                   DISTANCE "1,1\nothers,2768-m,a\n");
     check_refused("2:10: split - of link 0, of kind npr: expected a, d or even", DISTANCE "others,1,\n");
     check_refused("3:1: link 4 a second time; the first is in line 2", DISTANCE "others,1,a\n4,1,a\n");
+    check_refused("4:1: others a second time; the first is in line 3", DISTANCE "4,1,a\nothers,1,a\nothers,x,a\n");
 }
 
 int main(void)

@@ -432,11 +432,18 @@ static bool take_fields(reader *reader, size_t first, drawing_row row)
 
 static bool take_others(reader *reader)
 {
+    const drawing *drawing = reader->drawing;
     const size_t n_links = reader->view->arm->n_links;
     bool fine = true;
+    for (size_t i = 0; i < drawing->n_rows; i++) {
+        if (drawing->rows[i].is_other) { /* nothing is left for a second one */
+            cells_message(&reader->row, 0, "others a second time; the first is in line %zu", drawing->rows[i].line);
+            return false;
+        }
+    }
     for (size_t link = 0; fine && link < n_links; link++) {
         const drawing_row row = {.line = reader->row.line, .link = link, .is_other = true};
-        fine = row_of(reader->drawing, link) != NULL || take_fields(reader, FIELD_LINK + 1, row);
+        fine = row_of(drawing, link) != NULL || take_fields(reader, FIELD_LINK + 1, row);
     }
     return fine;
 }

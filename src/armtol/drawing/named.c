@@ -38,7 +38,7 @@ double named_length(const char *name, double size, const char **why)
         return or_why(armtol_general_length(general, size), "is for lengths from 0.5 to 4000 mm (2768-f: 2000 mm)",
                       why);
     }
-    if (!looks_like_a_grade(name)) {
+    if (!looks_like_a_grade(name) && strncmp(name, "2768", 4) != 0) {
         return (double)NAN;
     }
     if (armtol_grade_read(name, &grade) != ARMTOL_OK || grade.zone != ARMTOL_ZONE_EVEN) {
