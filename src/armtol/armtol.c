@@ -57,13 +57,19 @@ static int verify(const request *request, const armtol_answer *answer, const mer
     return status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }
 
-/* Arms that come back; NULL where that was not asked for. An exit code, after a message. */
-static int repeat(const request *request, const armtol_answer *answer, armtol_arrivals **arrivals)
+/*
+ * Arms that come back, after all were drawn once; NULL where that was not asked for, or interrupted. An exit code,
+ * after a message.
+ */
+static int repeat(const request *request, const armtol_answer *answer, const armtol_verification *found,
+                  armtol_arrivals **arrivals)
 {
     const armtol_draw draw = draw_of(request->options);
     armtol_fault fault = {.status = ARMTOL_OK};
     *arrivals = NULL;
-    if (request->options->cycles != 0) {
+    if (request->options->cycles != 0 && found->drawn < draw.samples) {
+        message("interrupted: no arm comes to its poses again");
+    } else if (request->options->cycles != 0) {
         watched_arrivals(answer, &draw, (size_t)request->options->cycles, arrivals, &fault);
     }
     return fault.status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
@@ -87,7 +93,7 @@ static int tell(const request *request, const armtol_answer *answer, const merge
 {
     armtol_budget *budget = NULL;
     armtol_arrivals *arrivals;
-    armtol_verification found;
+    armtol_verification found = {.drawn = 0};
     findings findings = {.request = request, .answer = answer, .region = region};
     if (request->options->verify != 0) {
         const int code = verify(request, answer, merged, &found);
@@ -96,7 +102,7 @@ static int tell(const request *request, const armtol_answer *answer, const merge
         }
         findings.verification = &found;
     }
-    const int code = repeat(request, answer, &arrivals);
+    const int code = repeat(request, answer, &found, &arrivals);
     if (code != EXIT_OK) {
         return code;
     }

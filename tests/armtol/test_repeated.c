@@ -6,6 +6,7 @@
 #include "unity.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -187,6 +188,27 @@ static void test_cycles_that_are_none(void)
                   "--drives: \"-1\" is negative");
 }
 
+/* All that is left is not begun: who interrupts wants the end. */
+static void test_an_interrupt_ends_all(void)
+{
+    const process_setup setup = {
+        .program = TEST_ARMTOL,
+        .arguments = (const char *const[]){"puma560", "--joints", "0,0,0,0,0.5,0", "--tolerances", "lengths=.01",
+                                           "--spread", "a=normal:3", "--verify", "10000000", "--iso9283", "--threads",
+                                           "1", NULL},
+        .wires = {WIRE_PIPE, WIRE_PIPE, WIRE_TERMINAL}};
+    process process;
+    process_start(&process, &setup);
+    process_expect(&process, " left");
+    kill(process.id, SIGINT);
+    process_finish(&process);
+    process_check_status(&process, 0, "interrupted");
+    check_says(&process, " arms drawn within the tolerances");
+    TEST_ASSERT_NULL(strstr(process.output.bytes, "ISO 9283"));
+    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(process.errors.bytes, "armtol: interrupted: no arm comes to its poses again"),
+                                 process.errors.bytes);
+}
+
 int main(void)
 {
     UNITY_BEGIN();
@@ -197,5 +219,6 @@ int main(void)
     RUN_TEST(test_what_is_not_known);
     RUN_TEST(test_what_goes_with_it);
     RUN_TEST(test_cycles_that_are_none);
+    RUN_TEST(test_an_interrupt_ends_all);
     return UNITY_END();
 }
