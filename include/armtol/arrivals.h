@@ -83,6 +83,61 @@ armtol_status armtol_arrivals_create(const armtol_answer *answer, const armtol_d
 /* arrivals may be NULL. */
 void armtol_arrivals_destroy(armtol_arrivals *arrivals);
 
+/*
+ * What the repeatability of a pose is at most, for many arrivals.
+ *
+ * Given:
+ *    answer   poses, drives and loads; NULL is not allowed
+ *    pose     of the answer, from 0
+ *    noise    n_links standard deviations in the place of those that the drives have, >= 0; infinity for joints that
+ *             do not move the tool point, 0 for fixed links. NULL: those that the drives have
+ *
+ * Returned:
+ *    shares   n_links: of T, their sum 1; all 0 where T is 0
+ *
+ * Returns the bound, in the arm's unit of length; infinity where it overflows.
+ *
+ * Notes:
+ * 1) Method. The covariance of the positions, to first order, has the trace
+ *        T = sum over joints of |A_k|^2 (noise_k^2 + step_k^2 / 3 + play_k^2 / 3),
+ *    A_k the position's part of A, step and play half widths (armtol_drive_arrival). With l the distance from the mean,
+ *    m its mean and S its deviation, m^2 + S^2 = T. A sum of even and normal errors along lines has m >= sqrt(2/pi)
+ *    sqrt T, which is m of a normal error along one line, and m + 3 S falls in m beyond sqrt(T / 10). So
+ *        RP <= (sqrt(2/pi) + 3 sqrt(1 - 2/pi)) sqrt T = 2.6063 sqrt T.
+ *    docs/iso9283.md has the proof. Noise of one joint alone reaches it; three alike at right angles reach 0.801 of
+ *    it; a step alone 0.908 of it.
+ * 2) RP of few arrivals scatters about that of many: by some 9 % of it for 30.
+ *
+ * Reference:
+ *    not in the report nor in ISO 9283; ours.
+ */
+double armtol_arrivals_bound(const armtol_answer *answer, size_t pose, const double noise[], double shares[]);
+
+/*
+ * The largest noise that drives may have for a wished repeatability: the largest product of standard deviations.
+ *
+ * Given:
+ *    answer   poses, drives and loads; NULL is not allowed. Steps and plays count, the noise that drives have does not
+ *    wish     RP, > 0 and finite, in the arm's unit of length
+ *
+ * Returned:
+ *    noise    n_links: of each joint that moves, of followers too, its standard deviation, radians or a length;
+ *             infinity where it moves the tool point in no pose; 0 for fixed links. All 0 after an error
+ *    *fault   what the status is about; may be NULL
+ *
+ * Notes:
+ * 1) armtol_arrivals_bound is no more than the wish in each pose and load, up to rounding. Squares of noises are in its
+ *    T one by one: the optimum is armtol_optimum's, ARMTOL_ROOT_SUM_SQUARES, a row a pose, all weights 1.
+ *
+ * Errors:
+ *    ARMTOL_NO_MEMORY
+ *    ARMTOL_BAD_TOLERANCE  about the accuracy: the wish
+ *    ARMTOL_NOTHING_LEFT   about a pose of the answer: steps and plays alone use it up there
+ *    ARMTOL_BAD_LOAD       about the drives: a joint that moves what its link's kind does not count
+ *    those of armtol_optimum, about the method
+ */
+armtol_status armtol_arrivals_noise(const armtol_answer *answer, double wish, double noise[], armtol_fault *fault);
+
 ARMTOL_INTERFACE_END
 
 #endif

@@ -75,6 +75,15 @@ static int repeat(const request *request, const armtol_answer *answer, const arm
     return fault.status == ARMTOL_OK ? EXIT_OK : request_failed(request, &fault);
 }
 
+/* An exit code, after a message. */
+static int allot_noises(const request *request, const armtol_answer *answer, noises *noises)
+{
+    armtol_fault fault;
+    return noises_find(request, answer, noises, &fault)  ? EXIT_OK
+           : fault.status == ARMTOL_NOTHING_LEFT         ? EXIT_WRONG
+                                                         : request_failed(request, &fault);
+}
+
 static bool print(const findings *findings)
 {
     switch (findings->request->options->format) {
@@ -87,14 +96,14 @@ static bool print(const findings *findings)
     }
 }
 
-/* merged, region: NULL where there are none. */
-static int tell(const request *request, const armtol_answer *answer, const merged *merged,
-                const armtol_region_answer *region)
+/* What is to be drawn, and all that is asked told. */
+static int draw_and_tell(findings findings, const merged *merged)
 {
+    const request *request = findings.request;
+    const armtol_answer *answer = findings.answer;
     armtol_budget *budget = NULL;
     armtol_arrivals *arrivals;
     armtol_verification found = {.drawn = 0};
-    findings findings = {.request = request, .answer = answer, .region = region};
     if (request->options->verify != 0) {
         const int code = verify(request, answer, merged, &found);
         if (code != EXIT_OK) {
@@ -121,6 +130,26 @@ static int tell(const request *request, const armtol_answer *answer, const merge
     armtol_budget_destroy(budget);
     armtol_arrivals_destroy(arrivals);
     return fine ? EXIT_OK : EXIT_FAILED;
+}
+
+/* merged, region: NULL where there are none. */
+static int tell(const request *request, const armtol_answer *answer, const merged *merged,
+                const armtol_region_answer *region)
+{
+    findings findings = {.request = request, .answer = answer, .region = region};
+    noises noises;
+    if (request->repeatability > 0) {
+        const int code = allot_noises(request, answer, &noises);
+        if (code != EXIT_OK) {
+            return code;
+        }
+        findings.noises = &noises;
+    }
+    const int code = draw_and_tell(findings, merged);
+    if (findings.noises != NULL) {
+        noises_free(&noises);
+    }
+    return code;
 }
 
 static int answer_request(const request *request, const merged *merged)

@@ -58,6 +58,13 @@ check_length(4 iso9283 poses 0 ap quantiles)
 check_length(4 iso9283 all rp quantiles)
 set(members_of_norms "${members_of_norms}${run_output}")
 
+run(${ARMTOL} puma560 --joints 0,45,-90,0,45,0 --degrees --accuracy ap=.5,rp=.25 --method rss --json)
+check("ap" norms 0 asked_as)
+check("0.25" rp wish)
+check_length(6 rp joints)
+check("deg" rp joints 0 unit)
+set(members_of_norms "${members_of_norms}${run_output}")
+
 run(${ARMTOL} puma560 --joints 0,45,-90,0,45,0 --degrees --accuracy .5,.5,.5,.01,.01,.01 --json --method rss --sigma 2)
 check("rss" method)
 check("2" sigma)

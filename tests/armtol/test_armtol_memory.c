@@ -31,6 +31,8 @@ static void test_every_answer(void)
     check_short_main(armtol_main, (const char *const[]){ASKED, "--csv", NULL}, 6);
     check_short_main(armtol_main, (const char *const[]){ASKED, "--drives", "noise=1e-4", "--budget", "--verify", "10",
                                                         "--iso9283", "3", "--threads", "1", NULL}, 20);
+    check_short_main(armtol_main, (const char *const[]){POSED, "--accuracy", "rp=.1", "--method", "rss", "--json",
+                                                        NULL}, 20);
 }
 
 static void test_positions(void)

@@ -145,7 +145,8 @@ typedef struct wrong {
 
 static const wrong wrong_calls[] = {
     {{AT_0, "--accuracy", "q=2"},
-     "--accuracy: unknown name \"q\"; expected dx, dy, dz, wx, wy, wz, r, xy, xz, yz, w, wxy, wxz or wyz\n"},
+     "--accuracy: unknown name \"q\"; expected dx, dy, dz, wx, wy, wz, r, xy, xz, yz, w, wxy, wxz, wyz, ap "
+     "or rp\n"},
     {{AT_0, "--accuracy", "r=2,dx=1,r=3"}, "--accuracy: r is given twice; expected once\n"},
     {{AT_0, "--accuracy", "dx=2,dx=1"}, "--accuracy: dx is given twice; expected once\n"},
     {{AT_0, "--accuracy", "r=2,1"},

@@ -155,7 +155,8 @@ static void check_accuracy(const char *text)
         return;
     }
     REQUIRE(caught_nothing() && accuracy.n_norms <= ARMTOL_MOST_NORMS);
-    taken = accuracy.n_norms;
+    REQUIRE(accuracy.repeatability > 0 && !(accuracy.r && accuracy.ap));
+    taken = accuracy.n_norms + (isfinite(accuracy.repeatability) != 0);
     for (size_t i = 0; i < 6; i++) {
         REQUIRE(accuracy.components[i] > 0);
         taken += isfinite(accuracy.components[i]) != 0;

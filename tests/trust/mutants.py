@@ -68,6 +68,7 @@ OWN = {
     "urdf": "test_urdf|test_urdf_memory",
     "arm_": "test_arm_file|test_urdf|test_arm_memory", "verification": "test_verification", "draw": "test_verification",
     "weights": "test_answer", "steps": "test_iso_286|test_iso_2768", "grades": "test_grades_told",
+    "noise": "test_noise$", "noises": "test_noises_told",
     "text_grades": "test_grades_told", "named": "test_drawing_names",
     "budget": "test_budget", "parts": "test_answer|test_question", "json": "armtol_json",
     "number_list": "test_number_list", "text": "test_armtol|test_arm_file", "tell": "test_armtol",

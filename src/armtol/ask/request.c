@@ -261,6 +261,61 @@ static bool take_named_value(const units *units, const char *name, bool is_lengt
     return fine;
 }
 
+/* What speaks against a wish for arrivals; NULL where nothing does. */
+static const char *fault_of_arrivals(const request *request, const named_accuracy *accuracy)
+{
+    const cli_options *options = request->options;
+    if ((accuracy->ap || isfinite(accuracy->repeatability)) && options->method != ARMTOL_METHOD_RSS) {
+        return "--accuracy: ap and rp are about standard deviations; expected --method rss with them";
+    }
+    if (isinf(accuracy->repeatability)) {
+        return NULL;
+    }
+    return options->region != NULL || options->action == CLI_MAP
+               ? "--accuracy: rp is for poses that are listed; expected none with --region and maps"
+           : options->wish_motors
+               ? "--wish motors leaves the drives out, and rp in --accuracy is about them; expected one of the two"
+           : options->format == OUTPUT_CSV
+               ? "--csv writes tolerances only; expected --json, or nothing, with rp in --accuracy"
+               : NULL;
+}
+
+/* What has nothing to tell where all tolerances are free. */
+static bool asks_of_parts(const cli_options *options)
+{
+    return options->budget || options->grades || options->write_drawing != NULL ||
+           (options->verify != 0 && options->cycles == 0);
+}
+
+/* Before it the components and norms are taken. */
+static bool take_arrivals(request *request, named_accuracy *accuracy)
+{
+    const char *fault = fault_of_arrivals(request, accuracy);
+    bool alone = accuracy->n_norms == 0;
+    request->as_ap = accuracy->ap;
+    if (fault != NULL) {
+        message("%s", fault);
+        return false;
+    }
+    if (isinf(accuracy->repeatability)) {
+        return true;
+    }
+    for (size_t i = 0; i < 6; i++) {
+        alone = alone && isinf(request->accuracy[i]);
+    }
+    request->repeatability_alone = alone && request->tolerances == NULL;
+    if (request->repeatability_alone && asks_of_parts(request->options)) {
+        message("--accuracy: rp alone asks nothing of parts; expected ap or another name beside it with --budget, "
+                "--grades, --write-drawing, and --verify without --iso9283");
+        return false;
+    }
+    if (alone && request->tolerances != NULL) {
+        request->question.accuracy = NULL; /* nothing is asked of the parts */
+    }
+    request->repeatability = accuracy->repeatability;
+    return take_named_value(&request->units, "rp", true, &request->repeatability);
+}
+
 static bool take_named_accuracy(request *request, const char *text)
 {
     named_accuracy accuracy;
@@ -278,12 +333,12 @@ static bool take_named_accuracy(request *request, const char *text)
     request->question.norms = request->norms;
     request->question.n_norms = accuracy.n_norms;
     const bool sphere = request->options->method == ARMTOL_METHOD_SPHERE && request->tolerances == NULL;
-    if (fine && accuracy.n_norms > 0 && sphere) {
+    if (fine && accuracy.n_norms > 0 && sphere && !accuracy.ap) {
         message("--method sphere keeps to components alone; expected no %s in --accuracy, or another method",
                 armtol_norm_name(accuracy.norms[0].components));
         return false;
     }
-    return fine;
+    return fine && take_arrivals(request, &accuracy);
 }
 
 static bool take_accuracy(request *request)

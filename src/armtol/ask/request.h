@@ -17,6 +17,9 @@ typedef struct request {
     armtol_question question;
     double accuracy[6];               /* the question's, as are these: */
     armtol_norm norms[ARMTOL_MOST_NORMS];
+    bool as_ap;                       /* the norm of dx, dy and dz was asked for as ap */
+    double repeatability;             /* rp; 0 where it is not asked for */
+    bool repeatability_alone;         /* and nothing else, nor are tolerances given: those are free */
     double *q, *weights, *tolerances; /* tolerances NULL where they are asked for */
     double *least, *largest;
     double *means;                    /* of errors from a lower to an upper end; part of spreads */

@@ -77,6 +77,11 @@ bool findings_is_length(const findings *findings, size_t measure)
     return measure < 6 ? measure < 3 : armtol_norm_is_length(findings->answer->norms[measure - 6].components);
 }
 
+bool findings_is_ap(const findings *findings, size_t norm)
+{
+    return findings->request->as_ap && findings->answer->norms[norm].components == armtol_norm_of_name("r");
+}
+
 double findings_accuracy(const findings *findings, size_t measure)
 {
     const armtol_answer *answer = findings->answer;

@@ -10,6 +10,12 @@
 
 #include <stdbool.h>
 
+/* What noise drives may have: of every link, in inside units. */
+typedef struct noises {
+    double *largest, *shares; /* shares: room for armtol_arrivals_bound */
+    double bound;             /* of RP with the noise that drives have, the largest of all poses */
+} noises;
+
 /* All that there is to tell. NULL for what was not asked for. */
 typedef struct findings {
     const request *request;
@@ -17,6 +23,7 @@ typedef struct findings {
     const armtol_budget *budget;
     const armtol_verification *verification;
     const armtol_arrivals *arrivals;
+    const noises *noises;
     const armtol_region_answer *region; /* whose answer it then is */
 } findings;
 
@@ -50,6 +57,9 @@ const char *findings_name(const findings *findings, size_t measure);
 const armtol_predicted *findings_predicted(const findings *findings, size_t measure);
 const armtol_verified *findings_verified(const findings *findings, size_t measure);
 bool findings_is_length(const findings *findings, size_t measure);
+
+/* Whether a norm, from 0, was asked for as ap. */
+bool findings_is_ap(const findings *findings, size_t norm);
 
 /* Infinity for one that is free, nan where no accuracy is asked for. */
 double findings_accuracy(const findings *findings, size_t measure);

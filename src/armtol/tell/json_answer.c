@@ -263,6 +263,7 @@ static void write_norms(json *json, const findings *findings)
         const armtol_predicted_norm *norm = &findings->answer->norms[i];
         json_open_object(json, NULL);
         write_predicted(json, findings, 6 + i);
+        json_text_if(json, "asked_as", findings_is_ap(findings, i) ? "ap" : NULL);
         json_number(json, "sigmas", findings_shown(findings, 6 + i, norm->spread));
         if (isfinite(norm->of.worst)) {
             json_numbers(json, "worst_direction", norm->worst_direction, 6);
@@ -459,6 +460,9 @@ bool output_json(const findings *findings)
     }
     if (findings->verification != NULL) {
         write_verification(&json, findings);
+    }
+    if (findings->noises != NULL) {
+        json_noises(&json, findings);
     }
     if (findings->arrivals != NULL) {
         json_arrivals(&json, findings);

@@ -288,21 +288,30 @@ static void print_heading(const findings *findings)
     laying_print(request->laying, units, "");
     print_poses(findings);
     print_followers(findings);
-    print_method(findings);
+    if (!request->repeatability_alone) {
+        print_method(findings);
+    }
     print_drives(findings);
 }
 
-bool output_text(const findings *findings)
+/* What parts have to be, and what follows for the tool. */
+static bool print_tolerances(const findings *findings)
 {
-    print_heading(findings);
     const bool fine = text_parameters(findings);
     print_discs(findings);
     print_unbounded(findings);
     print_groups(findings);
     return fine && text_parts(findings) && (!findings->request->options->grades || text_grades(findings)) &&
-           text_components(findings) &&
+           text_components(findings);
+}
+
+bool output_text(const findings *findings)
+{
+    print_heading(findings);
+    return (findings->request->repeatability_alone || print_tolerances(findings)) &&
            (findings->region == NULL || text_region(findings)) && text_loads(findings) &&
            (findings->budget == NULL || text_budget(findings)) &&
-           (findings->verification == NULL || text_verification(findings)) &&
+           (findings->verification == NULL || findings->request->repeatability_alone || text_verification(findings)) &&
+           (findings->noises == NULL || text_noises(findings)) &&
            (findings->arrivals == NULL || text_arrivals(findings));
 }

@@ -67,6 +67,9 @@ static void print_norm(const findings *findings, size_t i)
         say_place(&wrap, findings, rss ? norm->of.deviation_pose : norm->of.worst_pose);
         wrap_say(&wrap, "(or against it).");
     }
+    if (findings_is_ap(findings, i)) {
+        wrap_say(&wrap, "It was asked for as ap: one arrival keeps to it, and the mean of several is nearer.");
+    }
     say_held(&wrap, findings, i);
     wrap_end(&wrap);
 }

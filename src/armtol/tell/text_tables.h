@@ -14,6 +14,7 @@ bool text_loads(const findings *findings);
 bool text_region(const findings *findings);
 bool text_budget(const findings *findings);
 bool text_verification(const findings *findings);
+bool text_noises(const findings *findings);
 bool text_arrivals(const findings *findings);
 
 /* Of norms the directions in which they are largest, and in which they hold. */

@@ -34,8 +34,22 @@ static double *place_of(named_accuracy *accuracy, const char *name)
             return &accuracy->components[i];
         }
     }
-    const unsigned components = armtol_norm_of_name(name);
+    if (strcmp(name, "rp") == 0) {
+        return &accuracy->repeatability;
+    }
+    const unsigned components = armtol_norm_of_name(strcmp(name, "ap") == 0 ? "r" : name);
     return components != 0 ? place_of_norm(accuracy, components) : NULL;
+}
+
+/* The mean of arrivals and one arrival are held to the same ball (docs/iso9283.md). */
+static bool take_ball(named_accuracy *accuracy, const char *name)
+{
+    accuracy->r = accuracy->r || strcmp(name, "r") == 0;
+    accuracy->ap = accuracy->ap || strcmp(name, "ap") == 0;
+    if (accuracy->r && accuracy->ap) {
+        message("--accuracy: ap and r are the same ball about where the tool should be; expected one of them");
+    }
+    return !(accuracy->r && accuracy->ap);
 }
 
 static bool take_number(const char *name, const char *text, double *value)
@@ -54,9 +68,13 @@ static bool take_number(const char *name, const char *text, double *value)
 /* What is cut at its = . */
 static bool take_part(named_accuracy *accuracy, const char *name, const char *number)
 {
+    if (!take_ball(accuracy, name)) {
+        return false;
+    }
     double *place = place_of(accuracy, name), value;
     if (place == NULL) {
-        message("--accuracy: unknown name %s; expected dx, dy, dz, wx, wy, wz, r, xy, xz, yz, w, wxy, wxz or wyz",
+        message("--accuracy: unknown name %s; expected dx, dy, dz, wx, wy, wz, r, xy, xz, yz, w, wxy, wxz, wyz, "
+                "ap or rp",
                 message_quote(name, &(quoted){""}));
         return false;
     }
@@ -85,7 +103,7 @@ static bool take_word(named_accuracy *accuracy, char word[WORD])
 
 bool accuracy_parse(const char *text, named_accuracy *accuracy)
 {
-    *accuracy = (named_accuracy){.n_norms = 0};
+    *accuracy = (named_accuracy){.repeatability = (double)INFINITY};
     for (size_t i = 0; i < 6; i++) {
         accuracy->components[i] = (double)INFINITY;
     }

@@ -50,9 +50,30 @@ static void test_memory_that_is_refused(void)
     }
 }
 
+static void test_memory_for_noise_that_is_refused(void)
+{
+    for (memory_lack lack = 0; lack < LACKS; lack++) {
+        bool was_short = true;
+        int had = 0;
+        for (; was_short; had++) {
+            double noise[1];
+            armtol_fault fault;
+            memory_is_left(had, lack);
+            const armtol_status status = armtol_arrivals_noise(answer, 1, noise, &fault);
+            was_short = memory_was_short();
+            memory_is_enough();
+            TEST_ASSERT_EQUAL_INT(was_short ? ARMTOL_NO_MEMORY : ARMTOL_OK, status);
+            TEST_ASSERT_TRUE(fault.status == status && fault.about == ARMTOL_ABOUT_NOTHING);
+            TEST_ASSERT_TRUE((noise[0] > 0) != was_short);
+        }
+        TEST_ASSERT_TRUE(had > 8);
+    }
+}
+
 int main(void)
 {
     UNITY_BEGIN();
     RUN_TEST(test_memory_that_is_refused);
+    RUN_TEST(test_memory_for_noise_that_is_refused);
     return UNITY_END();
 }
