@@ -177,7 +177,7 @@ static const armtol_link links[] = {
 
 enum { N_LINKS = sizeof links / sizeof links[0], N_COLUMNS = 15 };
 
-static const armtol_arm arm = {.links = links, .n_links = N_LINKS};
+static const armtol_arm small_arm = {.links = links, .n_links = N_LINKS};
 
 typedef struct taken {
     armtol_column columns[N_COLUMNS];
@@ -193,7 +193,8 @@ static void take(drawing_row row, taken *taken)
     for (size_t k = 0; k < N_COLUMNS; k++) {
         taken->tolerances[k] = 7;
     }
-    drawn_take(&drawing, &arm, taken->columns, N_COLUMNS, &(drawn){taken->tolerances, taken->drawn, taken->discs});
+    const drawn to = {taken->tolerances, taken->drawn, taken->discs};
+    drawn_take(&drawing, &small_arm, taken->columns, N_COLUMNS, &to);
 }
 
 static void check_taken(const taken *taken, size_t link, armtol_parameter parameter, double expected)
@@ -255,7 +256,7 @@ static void check_row(double of_a, double of_d, double distance, drawing_split s
     armtol_column columns[4];
     armtol_columns(links, 1, columns, 4);
     const armtol_answer answer = {.n_links = 1, .n_columns = 4, .columns = columns, .tolerances = tolerances};
-    const drawing_row row = drawn_row(&answer, &arm, 0);
+    const drawing_row row = drawn_row(&answer, &small_arm, 0);
     TEST_ASSERT_EQUAL_STRING(drawing_split_name(split), drawing_split_name(row.split));
     check_same(0.1, row.angle, "an angle alone is alpha's");
     if (isnan(distance)) {

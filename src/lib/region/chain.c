@@ -110,10 +110,11 @@ void chain_free(chain *chain)
 
 bool chain_take_loads(chain *chain, loads *loads)
 {
-    double *lengths = calloc(chain->n_links, 2 * sizeof *lengths), *most = lengths + chain->n_links;
+    double *lengths = calloc(chain->n_links, 2 * sizeof *lengths);
     if (lengths == NULL) {
         return false;
     }
+    double *most = lengths + chain->n_links;
     for (size_t i = 0; i < chain->n_links; i++) {
         lengths[i] = longest(chain, i);
     }

@@ -231,7 +231,7 @@ static void add_squares(const chain *chain, const chain_link *link, vector f, do
 /* ---- errors along the base's axes ---- */
 
 /* The directions at their corners. */
-static size_t directions(const chain *chain, const corner_box *box, const vectors *to)
+static size_t put_directions(const chain *chain, const corner_box *box, const vectors *to)
 {
     size_t count = 0;
     for (size_t i = 0; i < box->directions[0].count; i++) {
@@ -269,7 +269,7 @@ static void add_link(const chain *chain, const chain_link *link, vector f, size_
 /* A choice is numbered by its corners, those of the direction first. */
 static size_t sum_along_base(const chain *chain, const corner_box *box, corner_space *space)
 {
-    size_t before = directions(chain, box, &space->forces[0]);
+    size_t before = put_directions(chain, box, &space->forces[0]);
     walk_back(chain, box, tool_of(chain), false, space, space->behind, NULL);
     memset(space->sums, 0, box->count * sizeof *space->sums);
     for (size_t i = 0; i < chain->n_links; i++) {
@@ -316,7 +316,7 @@ static size_t carry(const chain *chain, const corner_box *box, size_t link, size
 static size_t sum_along_tool(const chain *chain, const corner_box *box, corner_space *space)
 {
     const size_t n = chain->n_links;
-    size_t count = directions(chain, box, &space->forces[0]);
+    size_t count = put_directions(chain, box, &space->forces[0]);
     for (size_t i = 0; i < count; i++) {
         const vector direction = get(&space->forces[0], i), none = {0, 0, 0};
         const vector force = chain->angular ? none : direction;

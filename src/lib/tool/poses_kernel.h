@@ -131,23 +131,18 @@ LANE_INLINE void some_poses(const armtol_poses *poses, const lane_poses *at, con
     finish_poses(poses, &frame, matrix, bounds);
 }
 
-LANE_INLINE size_t least(size_t one, size_t other)
-{
-    return one < other ? one : other;
-}
-
 LANE_INLINE void pose_blocks(const armtol_poses *poses, const double q[], size_t n_poses, double blocks[],
                              armtol_bounds bounds[])
 {
     for (size_t first = 0; first < n_poses; first += BLOCK) {
         armtol_bounds some[BLOCK];
         for (size_t l = 0; l < BLOCK; l += LANES) {
-            const size_t here = least(first + l, n_poses - 1);
+            const size_t here = smaller(first + l, n_poses - 1);
             const lane_poses at = {q + here * poses->n_joints, poses->n_joints, n_poses - 1 - here};
             const matrix_view matrix = {blocks + first * 6 * poses->n_columns + l, BLOCK * poses->n_columns, BLOCK};
             some_poses(poses, &at, &matrix, some + l);
         }
-        memcpy(bounds + first, some, least(BLOCK, n_poses - first) * sizeof some[0]);
+        memcpy(bounds + first, some, smaller(BLOCK, n_poses - first) * sizeof some[0]);
     }
 }
 

@@ -12,13 +12,18 @@ typedef struct lane_poses {
     size_t n_joints, last;
 } lane_poses;
 
+LANE_INLINE size_t smaller(size_t one, size_t other)
+{
+    return one < other ? one : other;
+}
+
 LANE_INLINE void read_joint(const lane_poses *at, size_t joint, real *value)
 {
     const double *const q = at->q + joint;
-    if (RARELY(at->last < LANES - 1)) {
+    if (RARELY(at->last + 1 < LANES)) {
         double lanes[LANES];
         for (size_t l = 0; l < LANES; l++) {
-            lanes[l] = q[(l < at->last ? l : at->last) * at->n_joints];
+            lanes[l] = q[smaller(l, at->last) * at->n_joints];
         }
         load(lanes, value);
     } else {
