@@ -30,7 +30,8 @@ static const double accuracy[6] = {0.02, 0.02, 0.02, 0.01 * DEGREE, 0.01 * DEGRE
 static void poses_at(double slide, double q[POSES * JOINTS])
 {
     for (size_t i = 0; i < POSES; i++) {
-        const double pose[] = {(-90 + 45 * (double)(i / 5)) * DEGREE, (30 + 30 * (double)(i % 5)) * DEGREE, slide, 0};
+        const size_t shoulder = i / 5, elbow = i % 5;
+        const double pose[] = {(-90 + 45 * (double)shoulder) * DEGREE, (30 + 30 * (double)elbow) * DEGREE, slide, 0};
         memcpy(q + JOINTS * i, pose, sizeof pose);
     }
 }
