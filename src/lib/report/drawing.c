@@ -105,10 +105,12 @@ static double largest(double (*error_of)(double a, double d, double tolerance), 
     if (error_of(a, d, most) <= error) {
         return most;
     }
-    for (double middle = high / 2; middle > low && middle < high; middle = low + (high - low) / 2) {
+    double middle = high / 2;
+    while (middle > low && middle < high) {
         const bool within = error_of(a, d, middle) <= error;
         low = within ? middle : low;
         high = within ? high : middle;
+        middle = low + (high - low) / 2;
     }
     return low;
 }
