@@ -43,7 +43,7 @@ def test_a_closed_form():
 def test_loads_bend_the_drives():
     """A link that turns in the plane its weight is in droops by c m g l cos q, and l cos q of that along gravity."""
     arm = Arm.from_dh([[0, math.pi / 2, 0, 0], [400, 0, 0, 0]])
-    drives, droop = {"2.compliance": 1e-5}, 1e-5 * 5 * 9.80665 * 0.4 * 400 * math.cos(0.3) ** 2
+    drives, droop = {"1.compliance": 1e-5}, 1e-5 * 5 * 9.80665 * 0.4 * 400 * math.cos(0.3) ** 2
     region = arm.region("q1=-3..3;q2=0.3..1", tolerances={"lengths": 0}, drives=drives, payloads=[2, 5])
     dz = region.enclosures[2]
     assert dz.name == "dz" and droop / 1.011 <= dz.low <= droop * (1 + 1e-9) and dz.high >= droop * (1 - 1e-9)
