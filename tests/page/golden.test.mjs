@@ -31,8 +31,8 @@ for (const [folder, options] of [['1987', []], ['corrected', ['--fix', 'all']]])
 
 const filesOf = (ends) => Object.fromEntries(readdirSync(path.join(root, 'golden/armtol'))
   .filter((name) => ends.some((end) => name.endsWith(end))).map((name) => [name, golden('armtol', name)]));
-const tables = filesOf(['.csv']);
-const tablesAndTallies = filesOf(['.csv', '.tally']);
+const read = filesOf(['.csv', '.region']);
+const readAndTallies = filesOf(['.csv', '.region', '.tally']);
 const questions = golden('armtol', 'commands').toString().split('\n').map((line) => /^([a-z0-9-]+): *(.*)$/.exec(line))
   .filter(Boolean);
 
@@ -40,7 +40,7 @@ test('golden/armtol/commands has questions', () => assert.ok(questions.length > 
 
 for (const [, name, question] of questions) {
   test(`golden/armtol/${name}`, async () => {
-    const files = question.startsWith('merge ') ? tablesAndTallies : tables;
+    const files = question.startsWith('merge ') ? readAndTallies : read;
     const ran = await runWasm('engine', ['armtol', ...question.split(/\s+/)], files);
     const status = ran.code === 0 ? '' : `exit status ${ran.code}\n`;
     assert.equal(ran.both + status, golden('armtol', name).toString());
