@@ -1,5 +1,7 @@
 """Questions: names and arrays, what the answers keep to, and what is refused."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -64,6 +66,22 @@ def test_drives_by_name(source):
     turned = compliance * mass * g * 2  # about y, which points down the load
     np.testing.assert_allclose(sag[1], [2 * (np.cos(turned) - 1), 0, -2 * np.sin(turned), 0, turned, 0], atol=1e-15)
     assert beam.sag(np.zeros((4, 5, 2)), payloads=[1], drives="compliance=1e-6").shape == (4, 5, 1, 6)
+
+
+def test_noise_of_drives_is_three_deviations_wide(puma):
+    """Named, or in the rows of an arm, which keeps it when it is written and read, and pickled."""
+    sigma, exact = 1e-5, np.zeros(puma.n_parameters)
+    named = puma.predict(Q, exact, drives={"1.noise": sigma})
+    expected = [3 * sigma if x.role == "motor" and x.link == 1 else 0 for x in puma.parameters]
+    np.testing.assert_allclose(named.tolerances, expected, rtol=1e-15)
+    row = {"joint": "theta", "a": 100, "alpha": 0, "d": 0, "theta": 0}
+    arm = Arm.from_dh([{**row, "noise": 0}, {**row, "noise": sigma}])
+    for one in (arm, Arm.from_text(arm.table()), pickle.loads(pickle.dumps(arm))):
+        found = one.predict([0.1, 0.2], np.zeros(one.n_parameters))
+        motors = [t for t, x in zip(found.tolerances, one.parameters) if x.role == "motor"]
+        np.testing.assert_allclose(motors, [0, 3 * sigma], rtol=1e-15)
+    with pytest.raises(ArmtolError, match="drives: .* is negative"):
+        puma.predict(Q, exact, drives={"noise": -1})
 
 
 def test_payloads_with_centers_and_gravity(source):
