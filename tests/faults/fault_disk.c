@@ -114,9 +114,10 @@ static void check_full_output(int command, const char *folder, long step)
  */
 static void test_output_full_after_every_byte(void)
 {
-    static const long steps[COMMANDS] = {1, 61, 13, 1, 13, 1, 1, 1, 1, 13, 13, 13, 13, 13, 13};
+    static const long steps[COMMANDS] = {1, 61, 13, 1, 13, 1, 1, 1, 1, 13, 13, 13, 13, 13, 13, 13};
     const string folder = folder_for_commands();
     for (int command = 0; command < COMMANDS; command++) {
+        TEST_ASSERT_TRUE_MESSAGE(steps[command] > 0, "a command without a step");
         check_full_output(command, folder.text, steps[command]);
     }
 }
