@@ -6,6 +6,9 @@
 #include "unity.h"
 
 #include <fcntl.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 cli_options question(const char *arm, const char *joints, const char *accuracy)
 {
@@ -49,4 +52,22 @@ size_t asked_column(const asked *asked, size_t link, armtol_parameter parameter)
     }
     TEST_FAIL_MESSAGE("the link has no such parameter");
     return 0;
+}
+
+void draw_joints_text(random_source *random, const armtol_arm *arm, char text[JOINTS_TEXT])
+{
+    text[0] = '\0';
+    for (size_t i = 0; i < arm->n_links; i++) {
+        if (arm->links[i].joint == ARMTOL_FIXED) {
+            continue;
+        }
+        const bool slides = arm->links[i].joint == ARMTOL_PRISMATIC;
+        const armtol_drive *drive = &arm->drives[i];
+        const double low = isfinite(drive->low) ? drive->low : slides ? 100 : -3;
+        const double high = isfinite(drive->high) ? drive->high : slides ? 300 : 3;
+        char number[40];
+        snprintf(number, sizeof number, "%s%.17g", text[0] != '\0' ? "," : "",
+                 random_between(random, low, high));
+        strcat(text, number);
+    }
 }

@@ -179,11 +179,8 @@ static void test_more_poses_than_a_table_holds(void)
 static void check_refused(const string *folder, const char *option, const char *value, const char *more,
                           const char *words)
 {
-    process process;
-    run(&process, folder->text, (const char *const[]){"arm.csv", option, value, "--joints", "0,0", more, NULL});
-    process_check_status(&process, 2, words);
-    TEST_ASSERT_EQUAL_UINT_MESSAGE(0, process.output.length, words);
-    TEST_ASSERT_TRUE_MESSAGE(strstr(process.errors.bytes, words) != NULL, process.errors.bytes);
+    const char *const arguments[] = {"arm.csv", option, value, "--joints", "0,0", more, NULL};
+    check_refused_run(folder->text, arguments, words);
 }
 
 static void test_arms_that_cannot_be_compared(void)

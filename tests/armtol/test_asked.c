@@ -31,13 +31,6 @@ static void check_same(const process *one, const process *other, const char *wha
     text_check(one->output.bytes, one->output.length, &other->output, what);
 }
 
-static double number_after(const process *process, const char *words)
-{
-    const char *at = strstr(process->output.bytes, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(at, words);
-    return strtod(at + strlen(words), NULL);
-}
-
 /* ---- units ---- */
 
 static void test_metres_are_a_thousand_millimetres(void)
@@ -48,10 +41,12 @@ static void test_metres_are_a_thousand_millimetres(void)
     run_well(&metres, NULL, (const char *const[]){"puma560", "--joints", POSE, "--degrees", "--metres", "--accuracy",
                                                   ".0005,.0005,.0005,.01,.01,.01", "--json", NULL});
     check_same(&plain, &mm, "the Puma's unit");
-    const double in_mm = number_after(&mm, "\"distance\": "), in_m = number_after(&metres, "\"distance\": ");
+    const double in_mm = number_after(mm.output.bytes, "\"distance\": "),
+                 in_m = number_after(metres.output.bytes, "\"distance\": ");
     TEST_ASSERT_TRUE(in_mm > 0 && fabs(in_m * 1000 / in_mm - 1) < 1e-12);
     /* the first tolerance is a motor's */
-    const double of_mm = number_after(&mm, "\"tolerance\": "), of_m = number_after(&metres, "\"tolerance\": ");
+    const double of_mm = number_after(mm.output.bytes, "\"tolerance\": "),
+                 of_m = number_after(metres.output.bytes, "\"tolerance\": ");
     TEST_ASSERT_TRUE(of_mm > 0 && fabs(of_m / of_mm - 1) < 1e-12);
 }
 
@@ -414,10 +409,11 @@ static void test_a_sphere_says_its_bounds_in_json_too(void)
     process text, json;
     run_well(&text, NULL, (const char *const[]){ASKED, "--method", "sphere", "--delta", ".1", NULL});
     run_well(&json, NULL, (const char *const[]){ASKED, "--method", "sphere", "--delta", ".1", "--json", NULL});
-    TEST_ASSERT_TRUE(fabs(number_after(&json, "\"delta\": ") - .1) < 1e-15);
+    TEST_ASSERT_TRUE(fabs(number_after(json.output.bytes, "\"delta\": ") - .1) < 1e-15);
     const string said =
-        string_of("corrected: distance %.6g, angle\n%.6g, delta", number_after(&json, "\"distance_bound\": "),
-                  number_after(&json, "\"angle_bound\": "));
+        string_of("corrected: distance %.6g, angle\n%.6g, delta",
+                  number_after(json.output.bytes, "\"distance_bound\": "),
+                  number_after(json.output.bytes, "\"angle_bound\": "));
     check_says(&text, said.text);
     check_says(&text, "0.1, in this pose;");
 }
@@ -549,7 +545,7 @@ static void test_large_angles_in_degrees(void)
     file_write(file.text, "units: mm rad\njoint,a,alpha,d,theta\ntheta,1,0,0,3e306\n");
     run_well(&process, folder.text, (const char *const[]){"my.csv", "--joints", "0", "--degrees", "--accuracy",
                                                           "1,1,1,1,1,1", "--csv", NULL});
-    const double told = number_after(&process, ",theta,motor,"), meant = 3e306 / acos(-1) * 180;
+    const double told = number_after(process.output.bytes, ",theta,motor,"), meant = 3e306 / acos(-1) * 180;
     TEST_ASSERT_TRUE(fabs(told / meant - 1) < 1e-15);
 }
 

@@ -31,13 +31,6 @@ void tearDown(void)
     process_clean_up();
 }
 
-static const char *behind(const char *text, const char *words)
-{
-    const char *at = strstr(text, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(at, words);
-    return at + strlen(words);
-}
-
 static void check_says_all(const process *process, const char *const says[], size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -47,12 +40,7 @@ static void check_says_all(const process *process, const char *const says[], siz
 
 static void check_message(const char *expected, const char *const arguments[])
 {
-    process process;
-    const string line = string_of("armtol: %s\n", expected);
-    run(&process, folder.text, arguments);
-    process_check_status(&process, 2, expected);
-    text_check(line.text, strlen(line.text), &process.errors, expected);
-    text_check("", 0, &process.output, expected);
+    check_refused_line(folder.text, arguments, expected);
 }
 
 /* ---- forward ---- */
@@ -78,10 +66,10 @@ static void test_a_disc_counts_once(void)
 {
     process process;
     run_well(&process, folder.text, (const char *const[]){DRAWN, "--json", NULL});
-    const char *wx = behind(process.output.bytes, "\"name\": \"wx\"");
-    check_within(1e-8, 0.003, strtod(behind(wx, "\"worst_case\": "), NULL), "wx");
-    const char *wy = behind(process.output.bytes, "\"name\": \"wy\"");
-    check_within(1e-8, 0.001, strtod(behind(wy, "\"worst_case\": "), NULL), "wy");
+    const char *wx = text_after(process.output.bytes, "\"name\": \"wx\"");
+    check_within(1e-8, 0.003, strtod(text_after(wx, "\"worst_case\": "), NULL), "wx");
+    const char *wy = text_after(process.output.bytes, "\"name\": \"wy\"");
+    check_within(1e-8, 0.001, strtod(text_after(wy, "\"worst_case\": "), NULL), "wy");
     check_says(&process, "\"method\": \"given\"");
     check_says(&process, "\"within\": \"disc\"");
     check_says(&process, "\"drawing\": [\n    {\n      \"link\": 0,\n      \"name\": \"upper\",\n"

@@ -17,7 +17,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { POSES = 3, TEXT = 512, MOST_COLUMNS = 64 };
+enum { POSES = 3, MOST_COLUMNS = 64 };
 
 void setUp(void)
 {
@@ -28,23 +28,6 @@ void tearDown(void)
 }
 
 /* ---- back and forward ---- */
-
-static void draw_joints(random_source *random, const armtol_arm *arm, char text[TEXT])
-{
-    text[0] = '\0';
-    for (size_t i = 0; i < arm->n_links; i++) {
-        if (arm->links[i].joint == ARMTOL_FIXED) {
-            continue;
-        }
-        const bool slides = arm->links[i].joint == ARMTOL_PRISMATIC;
-        const armtol_drive *drive = &arm->drives[i];
-        const double low = isfinite(drive->low) ? drive->low : slides ? 100 : -3;
-        const double high = isfinite(drive->high) ? drive->high : slides ? 300 : 3;
-        char number[40];
-        snprintf(number, sizeof number, "%s%.17g", text[0] != '\0' ? "," : "", random_between(random, low, high));
-        strcat(text, number);
-    }
-}
 
 /* The drawing as it is written, and read again. */
 static void write_and_read(const asked *asked, drawing *drawing)
@@ -110,12 +93,12 @@ static void check_back_and_forward(armtol_method method, const char *accuracy)
     size_t made = 0, said = 0, discs = 0;
     for (size_t i = 0; i < POSES * armtol_arm_count(); i++) {
         const armtol_arm *arm = armtol_arm_at(i / POSES);
-        char joints[TEXT], what[TEXT + 64];
+        char joints[JOINTS_TEXT], what[JOINTS_TEXT + 64];
         asked asked;
         drawing drawing;
         double tolerances[MOST_COLUMNS];
         bool is_drawn[MOST_COLUMNS] = {false}, is_disc[MOST_COLUMNS] = {false};
-        draw_joints(&random, arm, joints);
+        draw_joints_text(&random, arm, joints);
         snprintf(what, sizeof what, "%s at %s", arm->name, joints);
         cli_options options = question(arm->name, joints, accuracy);
         options.method = method;

@@ -12,7 +12,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { POSES = 5, TEXT = 512 };
+enum { POSES = 5 };
 
 void setUp(void)
 {
@@ -20,25 +20,6 @@ void setUp(void)
 
 void tearDown(void)
 {
-}
-
-/* Joint values as the command line has them: within the limits, or within what most joints can do. */
-static void draw_joints(random_source *random, const armtol_arm *arm, char text[TEXT])
-{
-    text[0] = '\0';
-    for (size_t i = 0; i < arm->n_links; i++) {
-        if (arm->links[i].joint == ARMTOL_FIXED) {
-            continue;
-        }
-        const bool slides = arm->links[i].joint == ARMTOL_PRISMATIC;
-        const armtol_drive *drive = &arm->drives[i];
-        const double low = isfinite(drive->low) ? drive->low : slides ? 100 : -3;
-        const double high = isfinite(drive->high) ? drive->high : slides ? 300 : 3;
-        char number[40];
-        snprintf(number, sizeof number, "%s%.17g", text[0] != '\0' ? "," : "",
-                 random_between(random, low, high));
-        strcat(text, number);
-    }
 }
 
 typedef void check(const asked *asked, const char *what);
@@ -49,9 +30,9 @@ static void at_drawn_poses(const char *accuracy, check *check)
     for (size_t i = 0; i < armtol_arm_count(); i++) {
         const armtol_arm *arm = armtol_arm_at(i);
         for (int pose = 0; pose < POSES; pose++) {
-            char joints[TEXT], what[TEXT + 64];
+            char joints[JOINTS_TEXT], what[JOINTS_TEXT + 64];
             asked asked;
-            draw_joints(&random, arm, joints);
+            draw_joints_text(&random, arm, joints);
             snprintf(what, sizeof what, "%s at %s", arm->name, joints);
             const cli_options options = question(arm->name, joints, accuracy);
             asked_make(&asked, &options);

@@ -161,11 +161,7 @@ static void test_a_drawing_by_names_is_that_of_numbers(void)
 
 static void check_refused(const char *const arguments[], const char *why)
 {
-    process process;
-    run(&process, folder.text, arguments);
-    TEST_ASSERT_EQUAL(2, process.status);
-    TEST_ASSERT_EQUAL_STRING("", process.output.bytes);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(process.errors.bytes, why), process.errors.bytes);
+    check_refused_run(folder.text, arguments, why);
 }
 
 static void test_where_there_are_no_tolerances(void)

@@ -75,13 +75,7 @@ static void check_same_output(const char *const one[], const char *const other[]
 
 static void check_refused(const char *const arguments[], const char *expected)
 {
-    process process;
-    char line[400];
-    run(&process, folder, arguments);
-    snprintf(line, sizeof line, "armtol: %s\n", expected);
-    process_check_status(&process, 2, expected);
-    TEST_ASSERT_EQUAL_STRING(line, process.errors.bytes);
-    TEST_ASSERT_EQUAL_UINT(0, process.output.length);
+    check_refused_line(folder, arguments, expected);
 }
 
 /* ---- tables ---- */

@@ -39,17 +39,6 @@ static string arm_folder(void)
     return folder;
 }
 
-/* The number behind "name": in the JSON, from where the words stand on. */
-static double number_behind(const process *process, const char *words, const char *name)
-{
-    const string key = string_of("\"%s\": ", name);
-    const char *from = strstr(process->output.bytes, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(from, words);
-    const char *at = strstr(from, key.text);
-    TEST_ASSERT_NOT_NULL_MESSAGE(at, name);
-    return strtod(at + strlen(key.text), NULL);
-}
-
 /* A normal error along one line has an RP of 2.60632 deviations: the bound. */
 static const double bound = 2.60631538577;
 
@@ -67,10 +56,10 @@ static void test_rp_alone(void)
     TEST_ASSERT_NULL(strstr(process.output.bytes, "largest tolerances"));
     run_well(&process, folder.text,
              (const char *const[]){AT, "--metres", "--accuracy", "rp=3e-5", RSS, "--json", NULL});
-    check_within(1e-15, 3e-5, number_behind(&process, "\"rp\": {", "wish"), "wish");
-    check_within(1e-9, 1e-5 * bound, number_behind(&process, "\"rp\": {", "bound"), "bound");
-    check_within(1e-12, 1e-5, number_behind(&process, "\"rp\": {", "noise"), "noise");
-    check_within(1e-12, 3e-5 / bound / sqrt(3), number_behind(&process, "\"rp\": {", "largest"), "largest");
+    check_within(1e-15, 3e-5, json_number(&process, "\"rp\": {", "wish"), "wish");
+    check_within(1e-9, 1e-5 * bound, json_number(&process, "\"rp\": {", "bound"), "bound");
+    check_within(1e-12, 1e-5, json_number(&process, "\"rp\": {", "noise"), "noise");
+    check_within(1e-12, 3e-5 / bound / sqrt(3), json_number(&process, "\"rp\": {", "largest"), "largest");
 }
 
 /* What is allotted, given to the drives: the arms drawn come back within the wish. */
@@ -79,12 +68,12 @@ static void test_there_and_back(void)
     const string folder = arm_folder();
     process process;
     run_well(&process, folder.text, (const char *const[]){AT, "--accuracy", "rp=.03", RSS, "--json", NULL});
-    const string drives = string_of("noise=%.17g", number_behind(&process, "\"rp\": {", "largest"));
+    const string drives = string_of("noise=%.17g", json_number(&process, "\"rp\": {", "largest"));
     run_well(&process, folder.text,
              (const char *const[]){AT, "--accuracy", "rp=.03", RSS, "--drives", drives.text, "--verify", "1",
                                    "--iso9283", "100000", "--json", NULL});
-    check_within(1e-12, 0.03, number_behind(&process, "\"rp\": {", "bound"), "bound");
-    const double worst = number_behind(&process, "\"rp\": {\n        \"quantiles\"", "worst");
+    check_within(1e-12, 0.03, json_number(&process, "\"rp\": {", "bound"), "bound");
+    const double worst = json_number(&process, "\"rp\": {\n        \"quantiles\"", "worst");
     TEST_ASSERT_TRUE(worst > 0.79 * 0.03 && worst < 0.81 * 0.03); /* 0.801 of the bound, three being alike */
     run_well(&process, folder.text,
              (const char *const[]){AT, "--accuracy", "rp=.03", RSS, "--verify", "10", "--iso9283", "5", NULL});
@@ -140,11 +129,7 @@ static void test_both_and_beside_tolerances(void)
 static void check_refused(const char *const arguments[], const char *words)
 {
     const string folder = arm_folder();
-    process process;
-    run(&process, folder.text, arguments);
-    process_check_status(&process, 2, words);
-    TEST_ASSERT_EQUAL_UINT_MESSAGE(0, process.output.length, words);
-    TEST_ASSERT_TRUE_MESSAGE(strstr(process.errors.bytes, words) != NULL, process.errors.bytes);
+    check_refused_run(folder.text, arguments, words);
 }
 
 /* Squares of half a step and half a play: 0.01^2 and 0.02^2, a fifth and four. */

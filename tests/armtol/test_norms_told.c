@@ -29,18 +29,6 @@ void tearDown(void)
     process_clean_up();
 }
 
-static const char *behind(const char *text, const char *words)
-{
-    const char *at = strstr(text, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(at, words);
-    return at + strlen(words);
-}
-
-static double number_behind(const char *text, const char *words)
-{
-    return strtod(behind(text, words), NULL);
-}
-
 static void test_a_disc_is_told(void)
 {
     static const char *const says[] = {
@@ -68,12 +56,12 @@ static void test_numbers_of_a_norm(void)
     process process;
     run_well(&process, folder.text, (const char *const[]){MADE, "--accuracy", "xy=.2", "--json", "--sigma", "3",
                                                           "--method", "rss", "--verify", "2000", NULL});
-    const char *told = behind(process.output.bytes, "\"norms\": ["), *drawn = behind(told, "\"norms\": [");
-    check_within(1e-12, sqrt(0.02), number_behind(told, "\"worst_case\": "), "worst");
-    check_within(1e-12, 0.1 / sqrt(3), number_behind(told, "\"standard_deviation\": "), "deviation of any direction");
-    check_within(1e-12, 0.1 * sqrt(3), number_behind(told, "\"sigmas\": "), "3 sigma");
-    check_within(0.01, sqrt(0.02), number_behind(drawn, "\"worst_drawn\": "), "of 2,000");
-    check_within(1e-4, sqrt(0.02), number_behind(drawn, "\"worst_corner\": "), "exact, in a corner");
+    const char *told = text_after(process.output.bytes, "\"norms\": ["), *drawn = text_after(told, "\"norms\": [");
+    check_within(1e-12, sqrt(0.02), number_after(told, "\"worst_case\": "), "worst");
+    check_within(1e-12, 0.1 / sqrt(3), number_after(told, "\"standard_deviation\": "), "deviation of any direction");
+    check_within(1e-12, 0.1 * sqrt(3), number_after(told, "\"sigmas\": "), "3 sigma");
+    check_within(0.01, sqrt(0.02), number_after(drawn, "\"worst_drawn\": "), "of 2,000");
+    check_within(1e-4, sqrt(0.02), number_after(drawn, "\"worst_corner\": "), "exact, in a corner");
 }
 
 static void test_where_a_norm_holds(void)

@@ -35,20 +35,6 @@ static string arm_folder(void)
     return folder;
 }
 
-/* The number behind "name": in the JSON, from where the words stand on. */
-static double number_behind(const process *process, const char *words, const char *name)
-{
-    const string key = string_of("\"%s\": ", name);
-    const char *from = strstr(process->output.bytes, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(from, words);
-    const char *at = strstr(from, key.text);
-    TEST_ASSERT_NOT_NULL_MESSAGE(at, name);
-    char *end;
-    const double value = strtod(at + strlen(key.text), &end);
-    TEST_ASSERT_TRUE_MESSAGE(end != at + strlen(key.text), name);
-    return value;
-}
-
 /* sigma (sqrt(8 / pi) + 3 sqrt(3 - 8 / pi)), and of n cycles some 1.7 sigma / sqrt n beside it; in metres too. */
 static void test_isotropic_noise(void)
 {
@@ -57,13 +43,13 @@ static void test_isotropic_noise(void)
     process process;
     run_well(&process, folder.text,
              (const char *const[]){ALIKE, "--verify", "1", "--iso9283", "100000", "--json", NULL});
-    check_within(4 * 1.7 * 0.02 / sqrt(100000), rp, number_behind(&process, "\"rp\"", "worst"), "RP");
-    const double found = number_behind(&process, "\"rp\"", "worst");
-    check_within(0, 100000, number_behind(&process, "\"iso9283\"", "cycles"), "cycles");
+    check_within(4 * 1.7 * 0.02 / sqrt(100000), rp, json_number(&process, "\"rp\"", "worst"), "RP");
+    const double found = json_number(&process, "\"rp\"", "worst");
+    check_within(0, 100000, json_number(&process, "\"iso9283\"", "cycles"), "cycles");
     run_well(&process, folder.text,
              (const char *const[]){SLIDES_ARGUMENTS, "--metres", "--joints", ".01,.02,.03", "--verify", "1",
                                    "--iso9283=100000", "--json", NULL});
-    check_within(1e-15, found / 1000, number_behind(&process, "\"rp\"", "worst"), "RP in metres");
+    check_within(1e-15, found / 1000, json_number(&process, "\"rp\"", "worst"), "RP in metres");
 }
 
 /* Of --drives noise does the same as the column; in the worst case three deviations of it count. */
@@ -78,8 +64,8 @@ static void test_noise_on_the_command_line(void)
     const char *same = strstr(of_table.output.bytes, "\"iso9283\"");
     TEST_ASSERT_NOT_NULL(same);
     TEST_ASSERT_EQUAL_STRING(same, strstr(of_drives.output.bytes, "\"iso9283\""));
-    check_within(1e-15, 0.06, number_behind(&of_drives, "\"components\"", "worst_case"), "dx at worst");
-    check_within(0, 30, number_behind(&of_drives, "\"iso9283\"", "cycles"), "cycles that are not given");
+    check_within(1e-15, 0.06, json_number(&of_drives, "\"components\"", "worst_case"), "dx at worst");
+    check_within(0, 30, json_number(&of_drives, "\"iso9283\"", "cycles"), "cycles that are not given");
 }
 
 static void test_the_table(void)
@@ -116,12 +102,12 @@ static void test_several_poses_and_loads(void)
     run_well(&process, folder.text,
              (const char *const[]){ALIKE, "--payload", "1", "--payload", "2", "--verify", "100", "--iso9283", "--json",
                                    NULL});
-    const double first = number_behind(&process, "\"rp\"", "worst");
+    const double first = json_number(&process, "\"rp\"", "worst");
     const char *second = strstr(process.output.bytes, "\"load\": 2,\n        \"ap\"");
     TEST_ASSERT_NOT_NULL(second);
-    const double other = number_behind(&process, "\"load\": 2,\n        \"ap\"", "worst");
+    const double other = json_number(&process, "\"load\": 2,\n        \"ap\"", "worst");
     TEST_ASSERT_TRUE(first > 0 && other > 0);
-    const double all = number_behind(&process, "\"all\"", "worst");
+    const double all = json_number(&process, "\"all\"", "worst");
     TEST_ASSERT_TRUE(all >= other);
 }
 
@@ -145,11 +131,7 @@ static void test_what_is_not_known(void)
 static void check_refused(const char *const arguments[], const char *words)
 {
     const string folder = arm_folder();
-    process process;
-    run(&process, folder.text, arguments);
-    process_check_status(&process, 2, words);
-    TEST_ASSERT_EQUAL_UINT_MESSAGE(0, process.output.length, words);
-    TEST_ASSERT_TRUE_MESSAGE(strstr(process.errors.bytes, words) != NULL, process.errors.bytes);
+    check_refused_run(folder.text, arguments, words);
 }
 
 static void test_what_goes_with_it(void)

@@ -35,23 +35,7 @@ void tearDown(void)
 
 static void check_refused(const char *expected, const char *const arguments[])
 {
-    process process;
-    run(&process, folder.text, arguments);
-    process_check_status(&process, 2, arguments[0]);
-    TEST_ASSERT_EQUAL_STRING("", process.output.bytes);
-    TEST_ASSERT_EQUAL_STRING(string_of("armtol: %s\n", expected).text, process.errors.bytes);
-}
-
-static const char *behind(const char *text, const char *words)
-{
-    const char *at = strstr(text, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(at, words);
-    return at + strlen(words);
-}
-
-static double number_behind(const char *text, const char *words)
-{
-    return strtod(behind(text, words), NULL);
+    check_refused_line(folder.text, arguments, expected);
 }
 
 /* Of dx: two errors within 0.1. */
@@ -59,9 +43,9 @@ static void check_deviation(double expected, const char *const arguments[])
 {
     process process;
     run_well(&process, folder.text, arguments);
-    const char *dx = behind(process.output.bytes, "\"components\"");
-    check_within(1e-9, expected, number_behind(dx, "\"standard_deviation\": "), "standard deviation");
-    check_within(1e-9, 0.2, number_behind(dx, "\"worst_case\": "), "worst case");
+    const char *dx = text_after(process.output.bytes, "\"components\"");
+    check_within(1e-9, expected, number_after(dx, "\"standard_deviation\": "), "standard deviation");
+    check_within(1e-9, 0.2, number_after(dx, "\"worst_case\": "), "worst case");
 }
 
 static void test_a_list(void)
@@ -159,10 +143,10 @@ static void test_loads_and_shifts_are_told_apart(void)
     file_write(string_of("%s/motors.csv", folder.text).text, "link,parameter,shift\n1,theta,0.001\n");
     run_well(&process, folder.text, arguments);
     /* 10 N, 0.2 and 0.1 m ahead: 2 and 1 N m, 2e-5 and 1e-5 rad; the mean is not the load's */
-    const char *elbow = behind(behind(process.output.bytes, "\"loads\""), "\"elbow\"");
-    check_within(1e-12, 1e-5, number_behind(elbow, "\"shift\": "), "by the load");
-    const char *droop = behind(process.output.bytes, "\"droop\": [");
-    check_within(1e-8, 2e-5 * 200 + 1e-5 * 100, number_behind(droop, ","), "no mean in the droop");
+    const char *elbow = text_after(text_after(process.output.bytes, "\"loads\""), "\"elbow\"");
+    check_within(1e-12, 1e-5, number_after(elbow, "\"shift\": "), "by the load");
+    const char *droop = text_after(process.output.bytes, "\"droop\": [");
+    check_within(1e-8, 2e-5 * 200 + 1e-5 * 100, number_after(droop, ","), "no mean in the droop");
     check_says(&process, "\"role\": \"shift\"");
 }
 

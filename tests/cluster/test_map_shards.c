@@ -1,6 +1,7 @@
 /* Maps in shards, as whole runs: any split gives the bytes of one process, and what does not fit says so. */
 
 #include "armtol/runs.h"
+#include "cluster/shard_runs.h"
 #include "support/process.h"
 
 #include "unity.h"
@@ -12,7 +13,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-enum { WORDS = 48, TALLIES = 12 };
+enum { TALLIES = 12 };
 
 void setUp(void)
 {
@@ -23,24 +24,10 @@ void tearDown(void)
     process_clean_up();
 }
 
-static void join(const char *words[WORDS], const char *const more[])
-{
-    size_t n = 0, i = 0;
-    while (words[n] != NULL) {
-        n++;
-    }
-    do {
-        words[n++] = more[i];
-    } while (more[i++] != NULL);
-}
-
 static void draw(process *process, const char *folder, const char *const question[], const char *shard,
                  const char *tally)
 {
-    const char *words[WORDS] = {"map", NULL};
-    join(words, question);
-    join(words, (const char *const[]){"--shard", shard, "--tally", tally, NULL});
-    run(process, folder, words);
+    draw_shard(process, folder, "map", question, shard, tally);
 }
 
 static void draw_well(const char *folder, const char *const question[], const char *shard, const char *tally)
@@ -50,27 +37,6 @@ static void draw_well(const char *folder, const char *const question[], const ch
     text_check("", 0, &process.errors, tally);
     process_check_status(&process, 0, tally);
     check_says(&process, ": drawn, ");
-}
-
-static void merge(process *process, const char *folder, const char *const tallies[])
-{
-    const char *words[WORDS] = {"merge", NULL};
-    join(words, tallies);
-    run(process, folder, words);
-}
-
-static void check_refused(const char *folder, const char *const tallies[], const char *words)
-{
-    process process;
-    merge(&process, folder, tallies);
-    process_check_status(&process, 2, words);
-    text_check("", 0, &process.output, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(process.errors.bytes, words), process.errors.bytes);
-}
-
-static string path_in(const char *folder, const char *name)
-{
-    return string_of("%s/%s", folder, name);
 }
 
 /* Of golden's arms the one of that name, read and written anew. */
@@ -126,7 +92,7 @@ enum { SPLITS = sizeof splits / sizeof splits[0] };
 
 static void check_split(const char *folder, const char *const question[], const split *split, const process *whole)
 {
-    const char *tallies[TALLIES + 1] = {NULL}, *drawn[WORDS] = {NULL};
+    const char *tallies[TALLIES + 1] = {NULL}, *drawn[SHARD_WORDS] = {NULL};
     string names[TALLIES];
     process merged;
     join(drawn, question);
@@ -150,7 +116,7 @@ static void check_split(const char *folder, const char *const question[], const 
 static void check_splits(const char *const question[], const char *says)
 {
     const string folder = folder_of_arms();
-    const char *words[WORDS] = {"map", NULL};
+    const char *words[SHARD_WORDS] = {"map", NULL};
     process whole;
     join(words, question);
     join(words, (const char *const[]){"--tsv", "whole.tsv", "--svg", "whole.svg", NULL});

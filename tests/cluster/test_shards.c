@@ -1,6 +1,7 @@
 /* Verifications in shards, as whole runs: any split gives the bytes of one process, and what does not fit says so. */
 
 #include "armtol/runs.h"
+#include "cluster/shard_runs.h"
 #include "support/process.h"
 
 #include "unity.h"
@@ -16,7 +17,7 @@
 
 #define ASKED "puma560", "--joints", "0,45,-90,0,45,0", "--degrees", "--accuracy", ".5,.5,.5,.01,.01,.01"
 
-enum { WORDS = 40, TALLIES = 12 };
+enum { TALLIES = 12 };
 
 void setUp(void)
 {
@@ -27,24 +28,10 @@ void tearDown(void)
     process_clean_up();
 }
 
-static void join(const char *words[WORDS], const char *const more[])
-{
-    size_t n = 0, i = 0;
-    while (words[n] != NULL) {
-        n++;
-    }
-    do {
-        words[n++] = more[i];
-    } while (more[i++] != NULL);
-}
-
 static void draw(process *process, const char *folder, const char *const question[], const char *shard,
                  const char *tally)
 {
-    const char *words[WORDS] = {NULL};
-    join(words, question);
-    join(words, (const char *const[]){"--shard", shard, "--tally", tally, NULL});
-    run(process, folder, words);
+    draw_shard(process, folder, NULL, question, shard, tally);
 }
 
 static void draw_well(const char *folder, const char *const question[], const char *shard, const char *tally)
@@ -54,28 +41,6 @@ static void draw_well(const char *folder, const char *const question[], const ch
     process_check_status(&process, 0, tally);
     text_check("", 0, &process.errors, tally);
     check_says(&process, ": drawn, ");
-}
-
-static void merge(process *process, const char *folder, const char *const tallies[])
-{
-    const char *words[WORDS] = {"merge", NULL};
-    join(words, tallies);
-    run(process, folder, words);
-}
-
-/* Merging fails, and says this, and no more than that of several lines where it is the last. */
-static void check_refused(const char *folder, const char *const tallies[], const char *words)
-{
-    process process;
-    merge(&process, folder, tallies);
-    process_check_status(&process, 2, words);
-    text_check("", 0, &process.output, words);
-    TEST_ASSERT_NOT_NULL_MESSAGE(strstr(process.errors.bytes, words), process.errors.bytes);
-}
-
-static string path_in(const char *folder, const char *name)
-{
-    return string_of("%s/%s", folder, name);
 }
 
 /* ---- any split ---- */
@@ -99,7 +64,7 @@ enum { SPLITS = sizeof splits / sizeof splits[0] };
 static void check_split(const char *const question[], const split *split, const process *whole)
 {
     const string folder = folder_new();
-    const char *tallies[TALLIES + 1] = {NULL}, *drawn[WORDS] = {NULL};
+    const char *tallies[TALLIES + 1] = {NULL}, *drawn[SHARD_WORDS] = {NULL};
     string names[TALLIES];
     process merged;
     join(drawn, question);
